@@ -16,7 +16,7 @@
 
 static int tell_out_of_memory() {
     std::fputs(fumon::out_of_memory.data(), stderr);
-    return 1;
+    return fumon::could_not_work;
 }
 
 /// Ends the program without what libraries do at the end of one, where memory has ended within
@@ -58,9 +58,9 @@ int main(int count, char** values) {
         return ended_with(tell_out_of_memory());
     } catch (const std::filesystem::filesystem_error& error) {
         std::fprintf(stderr, "%s: %s\n", error.path1().c_str(), error.code().message().c_str());
-        return ended_with(1);
+        return ended_with(fumon::could_not_work);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "fumon: unexpected: %s\n", error.what());
-        return ended_with(1);
+        return ended_with(fumon::could_not_work);
     }
 }

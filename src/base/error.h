@@ -7,13 +7,21 @@
 
 namespace fumon {
 
+/// How a command ends. Where several things were asked for, the highest that occurred counts. What
+/// a signal stopped and may go on with ends as shells have it, with 128 + its number.
+enum ExitStatus : int {
+    all_is_well = 0,
+    differs_from_expected = 1,  ///< pictures that were compared
+    input_is_wrong = 2,         ///< a scene, a file, the command line
+    could_not_work = 3,         ///< disk, folder, memory, OpenGL, a crash, a run that failed
+};
+
 /// The base of everything fumon throws on purpose. `main` catches it once, prints one line and
-/// exits with `exit_status()`: 1 for a failure while working (full disk, NaN in a field, no
-/// OpenGL).
+/// exits with `exit_status()`: could_not_work (full disk, NaN in a field, no OpenGL).
 class Error : public std::runtime_error {
   public:
     explicit Error(const std::string& what) : std::runtime_error(what) {}
-    [[nodiscard]] virtual int exit_status() const { return 1; }
+    [[nodiscard]] virtual int exit_status() const { return could_not_work; }
 };
 
 /// A text as one line can show it: line ends and tabs as spaces, other control characters as '?'.
@@ -38,7 +46,7 @@ class InputError : public Error {
     /// Of several faults, which its text has a line each.
     explicit InputError(std::vector<std::string> faults)
         : Error(joined(faults)), lines_(std::move(faults)) {}
-    [[nodiscard]] int exit_status() const override { return 2; }
+    [[nodiscard]] int exit_status() const override { return input_is_wrong; }
     [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
 
   private:

@@ -11,7 +11,7 @@ struct Command {
     const char* name;
     const char* help;  ///< one line
     /// Declares the options and examples, and returns the body, which runs once they are read. The
-    /// body returns the exit status, and throws InputError (2) or Error (1).
+    /// body returns the exit status, and throws InputError (2) or Error (3).
     std::function<std::function<int()>(CLI::App&)> declare;
 };
 

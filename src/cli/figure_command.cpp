@@ -51,7 +51,7 @@ void declare(CLI::App& command, FigureOptions& options) {
         "DIR/NAME.pdf, .svg and .png are the figure, DIR/NAME.caption.txt says how it was made, "
         "DIR/NAME-a-1.csv is\nthe data of panel (a), curve 1. Runs that are there already are not "
         "made again.\n"
-        "Exit status: 0 done, 1 some runs or figures failed, 2 wrong input, 130/143 interrupted "
+        "Exit status: 0 done, 2 wrong input, 3 some runs or figures failed, 130/143 interrupted "
         "(finished runs are kept).");
 }
 

@@ -73,7 +73,8 @@ void declare(CLI::App& command, RenderOptions& options) {
         "files have the\nbytes that the run would have written. Frames that are there are kept, "
         "and "
         "two programs never draw the same.\n"
-        "Exit status: 0 done, 1 failed or frames are missing, 2 wrong input, 130/143 interrupted "
+        "Exit status: 0 done, 2 wrong input, 3 could not work or frames are missing, 130/143 "
+        "interrupted "
         "(what was drawn is kept).");
 }
 

@@ -72,7 +72,8 @@ void declare(CLI::App& command, RunOptions& options) {
          {"fumon run terada-barchans -o out/wet --set model.creep_rate=0.2", "a number changed"},
          {"fumon run dunes-barchans -o out/dunes --json", "what it made, for a program"},
          {"fumon run --resume out/barchans", "goes on with a run that was stopped"}},
-        "Exit status: 0 done, 1 failed, 2 wrong input, 130/143 interrupted (what was made is "
+        "Exit status: 0 done, 2 wrong input, 3 could not work, 130/143 interrupted (what was made "
+        "is "
         "kept).");
 }
 

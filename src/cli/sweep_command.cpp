@@ -83,7 +83,7 @@ void declare(CLI::App& command, SweepOptions& options) {
         "DIR/runs each run's files.\n"
         "The same command resumes where it was stopped; with more values or seeds it makes only "
         "the new runs.\n"
-        "Exit status: 0 done, 1 some runs failed or shards are missing, 2 wrong input, 130/143 "
+        "Exit status: 0 done, 2 wrong input, 3 some runs failed or shards are missing, 130/143 "
         "interrupted (finished\nruns are kept).");
 }
 
@@ -147,7 +147,7 @@ int tell_the_end(const std::vector<RunRecord>& records, const std::string& what,
     status.note(fmt::format("{} failed{}; the same command tries them again",
                             of_runs(failed, records.size()),
                             what.empty() ? " (see runs.csv)" : ""));
-    return 1;
+    return could_not_work;
 }
 
 int sweep_alone(const SweepPlan& plan, const SweepOptions& options, StatusLine& status) {

@@ -1,6 +1,7 @@
 #include "picture/baseline.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -35,8 +36,8 @@ std::string people_part(std::string head) {
 
 class Reader {
   public:
-    explicit Reader(const std::filesystem::path& file)
-        : name_(file.string()), text_(read_input_file(file)) {
+    Reader(const std::filesystem::path& file, WrongCases wrong)
+        : name_(file.string()), text_(read_input_file(file)), wrong_(wrong) {
         baseline_.file = file;
         const std::string stem = file.stem().string();
         if (stem == "." || stem == "..") {
@@ -54,25 +55,43 @@ class Reader {
         const toml::table root = parse_toml(text_, name_, "a baseline is TOML");
         const toml::table* cases = section(root, "cases");
         const toml::table* recorded = section(root, "recorded");
+        const toml::table* environments = section(root, "environment");
         BaselineCase common;
         KeyTable table;
         common.list_keys("", table);
-        read_known_keys(root, "", table, locate_, {"cases", "recorded", "ignore"});
+        read_known_keys(root, "", table, locate_, {"cases", "recorded", "ignore", "environment"});
         if (const toml::node* ignore = root.get("ignore"))
             read_ignore(*ignore, "ignore", locate_, common.ignore);
+        if (environments != nullptr) read_environments(*environments);
+        check_environments(common, root, "");
         if (cases == nullptr || cases->empty()) {
             throw InputError(fmt::format(
                 "{}:1:1: names no case; write [cases] and below NAME = {{scene = \"FILE.toml\"}}",
                 name_));
         }
-        for (const auto& [name, value] : *cases) read_case(name, value, common);
+        for (const auto& [name, value] : *cases) {
+            order_.push_back(
+                {name.source().begin.line, name.source().begin.column, std::string(name.str())});
+            BaselineCase one = common;
+            one.name = name.str();
+            one.place = locate(name.source());
+            read_or_keep(one, value);
+            cases_[one.name] = std::move(one);
+        }
         std::sort(order_.begin(), order_.end());
         for (const Place& place : order_) baseline_.cases.push_back(cases_.at(place.name));
         baseline_.head = text_;
-        if (recorded != nullptr && !recorded->empty()) {
-            read_records(*recorded);
-        } else {
-            take(read_lock(baseline_.lock(), LockOwner::verify));
+        try {
+            if (recorded != nullptr && !recorded->empty()) {
+                read_records(*recorded);
+            } else {
+                take(read_lock(baseline_.lock(), LockOwner::verify));
+            }
+        } catch (const InputError& fault) {
+            if (wrong_ == WrongCases::refused) throw;
+            for (BaselineCase& one : baseline_.cases) {
+                if (one.fault.empty()) one.fault = fault.what();
+            }
         }
         return std::move(baseline_);
     }
@@ -101,11 +120,63 @@ class Reader {
         return node->as_table();
     }
 
-    void read_case(const toml::key& name, const toml::node& value, const BaselineCase& common) {
-        const std::string place = locate(name.source());
-        BaselineCase one = common;
-        one.name = name.str();
-        one.place = place;
+    void read_environments(const toml::table& environments) {
+        for (const auto& [key, value] : environments) {
+            NamedEnvironment one;
+            one.name = key.str();
+            const std::string place = locate(key.source());
+            if (!good_picture_name(one.name)) {
+                throw InputError(fmt::format(
+                    "{}: an environment is named by letters, digits, \"-\" and \"_\"", place));
+            }
+            if (!value.is_table()) {
+                throw InputError(
+                    fmt::format("{}: environment.{} is a section; write [environment.{}] and its "
+                                "keys below",
+                                locate(value.source()), one.name, one.name));
+            }
+            KeyTable table;
+            const std::string prefix = fmt::format("environment.{}.", one.name);
+            one.list_keys(prefix, table);
+            read_known_keys(*value.as_table(), prefix, table, locate_);
+            if (one.is_anything()) {
+                throw InputError(
+                    fmt::format("{}: environment.{} may be any; say its mesa, driver or drawer",
+                                place, one.name));
+            }
+            baseline_.environments.push_back(std::move(one));
+        }
+    }
+
+    /// All that are named are described.
+    void check_environments(const BaselineCase& one, const toml::table& own,
+                            const std::string& prefix) const {
+        const toml::node* named = own.get("environments");
+        if (named == nullptr) return;
+        std::vector<std::string> known;
+        for (const NamedEnvironment& environment : baseline_.environments)
+            known.push_back(environment.name);
+        for (const std::string& name : one.environments) {
+            if (find_named(baseline_.environments, name) != nullptr) continue;
+            throw InputError(fmt::format(
+                "{}: {}environments names \"{}\", which nothing describes; write [environment.{}] "
+                "with its mesa, driver or drawer{}",
+                locate(named->source()), prefix, name, name,
+                known.empty() ? "" : fmt::format(", or name one of {}", fmt::join(known, ", "))));
+        }
+    }
+
+    void read_or_keep(BaselineCase& one, const toml::node& value) const {
+        try {
+            read_case(one, value);
+        } catch (const InputError& fault) {
+            if (wrong_ == WrongCases::refused) throw;
+            one.fault = fault.what();
+        }
+    }
+
+    void read_case(BaselineCase& one, const toml::node& value) const {
+        const std::string& place = one.place;
         if (!good_picture_name(one.name)) {
             throw InputError(
                 fmt::format("{}: a case is named by letters, digits, \"-\" and \"_\"", place));
@@ -129,6 +200,7 @@ class Reader {
             read_ignore(*ignore, prefix + "ignore", locate_, one.ignore);
         }
         one.settings.insert(one.settings.begin(), shared.begin(), shared.end());
+        check_environments(one, *value.as_table(), prefix);
         if (one.step >= 0 && one.time >= 0.0) {
             throw InputError(
                 fmt::format("{}: cases.{} has a step and a time; keep one", place, one.name));
@@ -138,8 +210,6 @@ class Reader {
             throw InputError(
                 fmt::format("{}: {}scene is missing; name a scene file (TOML)", place, prefix));
         }
-        order_.push_back({name.source().begin.line, name.source().begin.column, one.name});
-        cases_[one.name] = std::move(one);
     }
 
     /// A step or time for all cases does not hold for figures; one of its own is wrong.
@@ -156,13 +226,18 @@ class Reader {
     }
 
     void take(const BaselineRecords& records) {
-        for (const auto& [name, record] : records) {
-            if (cases_.contains(name)) {
-                baseline_.records[name] = record;
-            } else {
-                baseline_.orphans.push_back(name);
-            }
-        }
+        for (const auto& [name, record] : records)
+            (has_case(name) ? baseline_.records : baseline_.orphans)[name] = record;
+    }
+
+    /// A wrong case may have named any environment.
+    [[nodiscard]] bool has_case(const std::string& record) const {
+        const auto [picture, environment] = parts_of_record_name(record);
+        const auto found = cases_.find(picture);
+        if (found == cases_.end() || record != record_name(picture, environment)) return false;
+        const auto& known = found->second.environments;
+        return environment.empty() || !found->second.fault.empty() ||
+               std::ranges::find(known, environment) != known.end();
     }
 
     /// Those of a file that was written before there were locks.
@@ -205,6 +280,7 @@ class Reader {
 
     std::string name_;
     std::string text_;
+    WrongCases wrong_;
     Locate locate_ = [this](const toml::source_region& region) { return locate(region); };
     Baseline baseline_;
     std::vector<Place> order_;
@@ -225,6 +301,9 @@ void BaselineCase::list_keys(const std::string& prefix, KeyTable& table) {
     table.boolean(prefix + "figure", figure, {.help = "the scene's figure, not a frame"});
     table.boolean(prefix + "picture", picture,
                   {.help = "keep the expected picture, for SSIM and to look at"});
+    table.text_list(
+        prefix + "environments", environments,
+        {.help = "environments with pictures of their own, each an [environment.NAME]"});
     table.real(prefix + "thumbnail_difference", thumbnail_difference,
                {.unit = "grey levels", .range = {0, 255}, .help = "that passes elsewhere"});
     table.real(prefix + "tile_ssim", tile_ssim,
@@ -237,12 +316,25 @@ std::filesystem::path Baseline::lock() const {
     return std::filesystem::path(file).replace_extension(".lock");
 }
 
-std::filesystem::path Baseline::picture_of(const BaselineCase& one) const {
-    return file.parent_path() / file.stem() / (one.name + ".png");
+std::filesystem::path Baseline::picture_of(const std::string& record) const {
+    return file.parent_path() / file.stem() / (record + ".png");
 }
 
-Baseline read_baseline(const std::filesystem::path& file) {
-    return Reader(file).read();
+std::filesystem::path Baseline::picture_of(const BaselineCase& one) const {
+    return picture_of(one.name);
+}
+
+const NamedEnvironment* Baseline::environment_of(const BaselineCase& one,
+                                                 const RenderingEnvironment& here) const {
+    for (const std::string& name : one.environments) {
+        const NamedEnvironment* found = find_named(environments, name);
+        if (found != nullptr && found->is(here)) return found;
+    }
+    return nullptr;
+}
+
+Baseline read_baseline(const std::filesystem::path& file, WrongCases wrong) {
+    return Reader(file, wrong).read();
 }
 
 }  // namespace fumon

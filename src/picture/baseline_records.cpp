@@ -11,6 +11,7 @@
 #include "keys/key_value.h"
 #include "keys/toml_text.h"
 #include "picture/fingerprint_text.h"
+#include "picture/named_environment.h"
 
 namespace fumon {
 
@@ -76,6 +77,12 @@ bool good_picture_name(std::string_view name) {
     return !name.empty() && name.size() <= longest && std::all_of(name.begin(), name.end(), good);
 }
 
+bool good_record_name(std::string_view name) {
+    const auto [picture, environment] = parts_of_record_name(name);
+    return good_picture_name(picture) && name == record_name(picture, environment) &&
+           (environment.empty() || good_picture_name(environment));
+}
+
 void read_known_keys(const toml::table& from, const std::string& prefix, const KeyTable& table,
                      const Locate& locate, std::initializer_list<std::string_view> others) {
     for (const auto& [name, value] : from) {
@@ -102,7 +109,8 @@ BaselineRecord read_record(const std::string& name, const toml::node& section,
     record.fingerprint.list_keys(prefix, table);
     read_known_keys(*section.as_table(), prefix, table, locate);
     try {
-        return {record.fumon, record.environment, record.state, record.fingerprint.fingerprint(),
+        return {record.fumon,   record.environment,
+                record.state,   record.fingerprint.fingerprint(),
                 record.ignored, record.under_overlays};
     } catch (const KeyError& fault) {
         const toml::node* at = section.as_table()->get(fault.key());
@@ -117,7 +125,8 @@ std::string record_text(const std::string& name, const BaselineRecord& record) {
                     record.under_overlays};
     KeyTable table;
     head.list_head_keys("", table);
-    std::string text = fmt::format("[recorded.{}]\n", name);
+    const char* quote = good_picture_name(name) ? "" : "\"";
+    std::string text = fmt::format("[recorded.{1}{0}{1}]\n", name, quote);
     for (const Key& key : table.keys()) {
         if (key.path == "ignored" && record.ignored.empty()) continue;
         if (key.path == "under_overlays" && record.under_overlays.empty()) continue;
@@ -127,10 +136,14 @@ std::string record_text(const std::string& name, const BaselineRecord& record) {
 }
 
 BaselineRecords read_lock(const std::filesystem::path& file, LockOwner owner) {
-    BaselineRecords records;
     std::error_code fault;
-    if (!std::filesystem::exists(file, fault)) return records;
-    const std::string text = read_input_file(file);
+    if (!std::filesystem::exists(file, fault)) return {};
+    return parse_lock(read_input_file(file), file, owner);
+}
+
+BaselineRecords parse_lock(const std::string& text, const std::filesystem::path& file,
+                           LockOwner owner) {
+    BaselineRecords records;
     refuse_lock_of_other(text, file, owner);
     const toml::table root = parse_toml(text, file.string(), "what is recorded is TOML");
     const Locate locate = [&](const toml::source_region& region) {
@@ -143,7 +156,7 @@ BaselineRecords read_lock(const std::filesystem::path& file, LockOwner owner) {
         throw InputError(locate(recorded->source()) + ": recorded is a section");
     for (const auto& [key, value] : *recorded->as_table()) {
         const std::string name(key.str());
-        if (!good_picture_name(name)) {
+        if (!(owner == LockOwner::verify ? good_record_name(name) : good_picture_name(name))) {
             throw InputError(
                 fmt::format("{}: a picture is named by letters, digits, \"-\" and \"_\"",
                             locate(key.source())));

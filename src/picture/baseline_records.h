@@ -31,6 +31,10 @@ using BaselineRecords = std::map<std::string, BaselineRecord>;
 /// Whether pictures under test may be called so: letters, digits, "-" and "_", at most 100.
 bool good_picture_name(std::string_view name);
 
+/// Whether a lock of `fumon verify` may call a record so: as a picture, or as that of an
+/// environment (see record_name()).
+bool good_record_name(std::string_view name);
+
 /// The record in the section [recorded.NAME]. Throws InputError, located.
 BaselineRecord read_record(const std::string& name, const toml::node& section,
                            const Locate& locate);
@@ -52,6 +56,10 @@ enum class LockOwner {
 /// The records of a lock; none where there is no such file. Throws InputError
 /// "file:line:column: what is wrong; what would be right", also where the other owner wrote it.
 BaselineRecords read_lock(const std::filesystem::path& file, LockOwner owner);
+
+/// The same of the lock's text.
+BaselineRecords parse_lock(const std::string& text, const std::filesystem::path& file,
+                           LockOwner owner);
 
 /// A lock with these records, by name. Read again it gives the same.
 std::string lock_text(const BaselineRecords& records, LockOwner owner);

@@ -58,7 +58,7 @@ const char* name_of(Outcome outcome) {
 
 Verdict judge(const BaselineCase& one, const BaselineRecord* recorded,
               const BaselineRecord& present, const Image& got, const Image* expected,
-              const IgnoredPixels& ignored) {
+              const RecordUse& use, const IgnoredPixels& ignored) {
     if (recorded == nullptr) {
         return {Outcome::missing,
                 "nothing is recorded; look at the picture, then `fumon verify --update`"};
@@ -70,8 +70,10 @@ Verdict judge(const BaselineCase& one, const BaselineRecord* recorded,
     }
     const Fingerprint& before = recorded->fingerprint;
     const Fingerprint& after = present.fingerprint;
-    const std::string reason = why_pixels_may_differ(recorded->environment, present.environment);
-    const std::string tier = reason.empty() ? "strict" : fmt::format("portable ({})", reason);
+    const std::string reason =
+        use.is_known_here ? "" : why_pixels_may_differ(recorded->environment, present.environment);
+    std::string tier = reason.empty() ? "strict" : fmt::format("portable ({})", reason);
+    if (!use.which.empty()) tier += ", " + use.which;
     const auto found = [&](bool good, std::vector<std::string> what) {
         if (ignored.any()) what.push_back(ignored_text(ignored));
         return Verdict{good ? Outcome::as_recorded : Outcome::differs,
@@ -104,6 +106,9 @@ Verdict judge(const BaselineCase& one, const BaselineRecord* recorded,
     what.push_back(thumbnail_text(thumbnail, one.thumbnail_difference));
     what.push_back(comparison ? tiles_text(comparison->tiles, one.tile_ssim)
                               : "no picture is kept for SSIM");
+    if (const std::string drawn = difference(recorded->environment, present.environment);
+        use.is_known_here && !drawn.empty())
+        what.push_back(drawn);
     const bool within = thumbnail.largest <= one.thumbnail_difference &&
                         (!comparison || comparison->tiles.smallest >= one.tile_ssim);
     return found(same_state && within && !reason.empty(), what);

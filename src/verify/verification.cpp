@@ -1,312 +1,280 @@
 #include "verify/verification.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
-#include <ctime>
-#include <filesystem>
+#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/error.h"
-#include "base/stopwatch.h"
-#include "files/atomic_file.h"
-#include "files/hash.h"
-#include "outputs/output_claims.h"
-#include "picture/junit.h"
-#include "picture/png.h"
 #include "run/drawing.h"
-#include "run/terminal/interrupt.h"
 #include "scene/json.h"
-#include "scene/scene_files.h"
-#include "verify/verify_case.h"
+#include "verify/accept.h"
+#include "verify/case_list.h"
+#include "verify/case_processes.h"
+#include "verify/case_work.h"
+#include "verify/got_records.h"
+#include "verify/junit_file.h"
+#include "verify/kept_records.h"
+#include "verify/results_folder.h"
 #include "verify/verify_page.h"
 
 namespace fumon {
 
 namespace {
 
-CaseDefaults defaults_of(const VerificationOptions& options) {
-    return options.update ? CaseDefaults::of_today : CaseDefaults::as_recorded;
-}
-
-namespace fs = std::filesystem;
-
-/// A baseline and what its part of the output folder is called.
-struct Suite {
-    Baseline baseline;
-    std::string name;
-};
-
-fs::path recorded_in(const Baseline& baseline) {
-    return baseline.unlocked ? baseline.file : baseline.lock();
-}
-
-/// Reads all baselines and their scenes before anything is drawn, so that a mistake is found at
-/// once.
-std::vector<Suite> read_suites(const VerificationOptions& options) {
-    std::vector<Suite> suites;
-    std::set<std::string> names;
-    for (const std::string& file : options.baselines) {
-        Suite suite{read_baseline(file), fs::path(file).stem().string()};
-        for (int n = 2; !names.insert(suite.name).second; ++n)
-            suite.name = fmt::format("{}-{}", fs::path(file).stem().string(), n);
-        for (const BaselineCase& one : suite.baseline.cases)
-            scene_of(suite.baseline, one, options.trust, defaults_of(options));
-        if (!suite.baseline.orphans.empty() && !options.update) {
-            throw InputError(
-                fmt::format("{}: recorded.{} belongs to no case; bring its case back, or let "
-                            "`fumon verify --update` remove what is recorded",
-                            recorded_in(suite.baseline).string(), suite.baseline.orphans.front()));
-        }
-        if (suite.baseline.unlocked && !options.update && !options.quietly()) {
-            fmt::print(stderr,
-                       "{}: what is recorded stands in the baseline, as before version 0.2; "
-                       "`fumon verify --update` moves it into {}\n",
-                       file, suite.baseline.lock().string());
-        }
-        suites.push_back(std::move(suite));
+/// The status of a program of which this is the only case.
+int status_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::as_recorded:
+            return all_is_well;
+        case Outcome::differs:
+        case Outcome::missing:
+            return differs_from_expected;
+        case Outcome::wrong_input:
+            return input_is_wrong;
+        case Outcome::failed:
+            break;
     }
-    return suites;
-}
-
-/// Claims a lock and pictures to be recorded; they are fumon's where something is recorded.
-void claim_records(const Baseline& baseline, OutputClaims& updates) {
-    if (baseline.unlocked) updates.writes(baseline.file, true);
-    updates.writes(baseline.lock(), !baseline.records.empty() || !baseline.orphans.empty());
-    for (const BaselineCase& one : baseline.cases) {
-        if (!one.picture) continue;
-        const fs::path file = baseline.picture_of(one);
-        check_output_folder(file.parent_path(), "the pictures");
-        updates.check(file, baseline.records.contains(one.name));
-    }
-}
-
-/// Claims what is going to be written. A baseline and the pictures that it keeps are read, and
-/// replaced only where they are what is to be updated.
-OutputClaims claim_outputs(const VerificationOptions& options, const std::vector<Suite>& suites) {
-    OutputClaims claims(options.force);
-    OutputClaims updates(options.force);
-    for (const Suite& suite : suites) {
-        claims.reads(suite.baseline.file);
-        claims.reads(suite.baseline.lock());
-        for (const BaselineCase& one : suite.baseline.cases) {
-            const Scene scene = scene_of(suite.baseline, one, options.trust, defaults_of(options));
-            for (OutputClaims* both : {&claims, &updates}) {
-                both->reads(scene.source);
-                both->reads(scene_files(scene));
-            }
-            if (one.picture) claims.reads(suite.baseline.picture_of(one));
-            if (!one.ignore.mask.empty())
-                claims.reads(suite.baseline.file.parent_path() / one.ignore.mask);
-        }
-    }
-    if (options.update) {
-        for (const Suite& suite : suites) claim_records(suite.baseline, updates);
-    }
-    std::error_code fault;
-    if (!options.update || fs::exists(options.folder, fault))
-        check_output_folder(options.folder, "the pictures");
-    if (!options.junit.empty()) claims.writes(options.junit);
-    return claims;
+    return could_not_work;
 }
 
 bool any_pinned(const std::vector<Suite>& suites) {
-    return std::any_of(suites.begin(), suites.end(), [](const Suite& suite) {
-        const auto& records = suite.baseline.records;
-        return std::any_of(records.begin(), records.end(),
-                           [](const auto& named) { return named.second.environment.pinned; });
+    return std::ranges::any_of(suites, [](const Suite& suite) {
+        return std::ranges::any_of(suite.baseline.records, [](const auto& named) {
+            return named.second.environment.pinned;
+        });
     });
-}
-
-const char* word_of(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::as_recorded:
-            return "ok";
-        case Outcome::differs:
-            return "DIFFERS";
-        case Outcome::missing:
-            return "MISSING";
-        case Outcome::failed:
-            return "FAILED";
-        case Outcome::wrong_input:
-            return "WRONG";
-    }
-    return "";
 }
 
 class Verification {
   public:
-    Verification(const VerificationOptions& options, std::vector<Suite> suites)
+    Verification(const VerificationOptions& options, std::vector<Suite>& suites,
+                 std::vector<ChosenCase> chosen, const OutputClaims& claims, JunitFile& junit)
         : options_(options),
-          suites_(std::move(suites)),
-          claims_(claim_outputs(options, suites_)),
-          page_(options.folder, claims_) {
-        for (const Suite& suite : suites_) {
-            for (const BaselineCase& one : suite.baseline.cases)
-                page_.check(suite.name, one.name, claims_);
+          suites_(suites),
+          chosen_(std::move(chosen)),
+          junit_(junit),
+          results_(results_folder(options)),
+          page_(results_.folder, claims) {
+        for (const ChosenCase& at : chosen_) {
+            if (good_record_name(case_at(at).name))
+                page_.check(suite_at(at).name, case_at(at).name, claims);
         }
+        if (options.update) claim_records(options, suites_, chosen_);
         work_ = options.work;
         work_.pinned = work_.pinned || any_pinned(suites_);
         if (work_.verbosity == Verbosity::normal) work_.verbosity = Verbosity::quiet;
         prepare_drawing(work_);
-        if (const std::string why = why_processor_is_not_pinned(work_);
-            !why.empty() && !options_.quietly())
-            fmt::print(stderr, "{}: {}\n",
-                       options_.update ? "recorded as not pinned" : "the portable tier compares",
-                       why);
     }
 
     int run() {
         page_.forget();
-        for (Suite& suite : suites_) {
-            const std::string before = lock_text(suite.baseline.records, LockOwner::verify);
-            for (const BaselineCase& one : suite.baseline.cases) {
-                page_.forget(suite.name, one.name);
-                const Stopwatch watch;
-                JunitCase looked_at{suite.baseline.file.string(), one.name, {}};
-                look_at(suite, one, looked_at);
-                if (signal_ != 0) return stop();
-                looked_at.seconds = watch.seconds();
-                annotations_.push_back({one.place, one.name, looked_at.verdict});
-                cases_.push_back(std::move(looked_at));
-            }
-            if (options_.update) rewrite(suite, before);
+        for (const Suite& suite : suites_) {
+            before_.push_back(all_records(suite.baseline));
+            if (!suite.fault.empty()) take_fault(suite);
         }
-        page_.finish();
-        if (!options_.junit.empty()) write_file(options_.junit, junit_xml(cases_, began_));
+        const auto work = [this](std::size_t number) {
+            const ChosenCase& at = chosen_[number];
+            return work_on_case(options_, suite_at(at), case_at(at), work_);
+        };
+        std::unique_ptr<CaseProcesses> processes;
+        if (options_.isolate) processes = std::make_unique<CaseProcesses>(chosen_.size(), work);
+        for (std::size_t number = 0; number < chosen_.size(); ++number) {
+            CaseResult result = processes ? result_from(*processes) : work(number);
+            if (result.signal != 0) {
+                stop(number, result.signal);
+                break;
+            }
+            take(chosen_[number], std::move(result));
+        }
+        processes.reset();
+        if (options_.update) rewrite_locks();
         return conclude();
     }
 
   private:
-    /// Draws a case and judges it: what comes of it, and the hashes of the pixels.
-    void look_at(Suite& suite, const BaselineCase& one, JunitCase& result) {
-        const auto recorded = suite.baseline.records.find(one.name);
-        if (recorded != suite.baseline.records.end())
-            result.expected_pixels = hex(recorded->second.fingerprint.pixels);
+    [[nodiscard]] Suite& suite_at(const ChosenCase& at) const { return suites_[at.suite]; }
+    [[nodiscard]] const BaselineCase& case_at(const ChosenCase& at) const {
+        return suite_at(at).baseline.cases[at.number];
+    }
+
+    static CaseResult result_from(CaseProcesses& processes) {
         try {
-            const DrawnCase drawn =
-                draw_case(suite.baseline, one, options_.trust, defaults_of(options_), work_);
-            signal_ = drawn.signal;
-            if (signal_ != 0) return;
-            result.got_pixels = hex(drawn.record.fingerprint.pixels);
-            result.verdict = options_.update ? accept(suite, one, drawn) : check(suite, one, drawn);
+            return processes.next();
         } catch (const Error& fault) {
-            const bool wrong = dynamic_cast<const InputError*>(&fault) != nullptr;
-            result.verdict = {wrong ? Outcome::wrong_input : Outcome::failed, fault.what()};
-            tell(word_of(result.verdict.outcome), suite, one, result.verdict.finding);
-            if (!options_.update) page_.add(suite.name, one.name, result.verdict);
+            return undrawn(Outcome::failed, fault.what());
         }
     }
 
-    Verdict check(const Suite& suite, const BaselineCase& one, const DrawnCase& drawn) {
-        const auto found = suite.baseline.records.find(one.name);
-        const BaselineRecord* record =
-            found == suite.baseline.records.end() ? nullptr : &found->second;
-        std::optional<Image> expected;
-        if (record != nullptr)
-            expected = recorded_picture(suite.baseline, one, *record, drawn.ignored);
-        const Image* kept = expected ? &*expected : nullptr;
-        Verdict verdict = judge(one, record, drawn.record, drawn.image, kept, drawn.ignored);
-        if (verdict.outcome != Outcome::as_recorded || !options_.quietly())
-            tell(word_of(verdict.outcome), suite, one, verdict.finding);
-        if (verdict.outcome != Outcome::as_recorded)
-            page_.add(suite.name, one.name, verdict, drawn.image, record, kept, drawn.ignored);
-        return verdict;
+    /// Of a baseline that cannot be read.
+    void take_fault(const Suite& suite) {
+        const CaseResult result = undrawn(Outcome::wrong_input, suite.fault);
+        annotations_.push_back({suite.baseline.file.string() + ":1:1", "baseline", result.verdict});
+        take(suite, "baseline", result);
     }
 
-    Verdict accept(Suite& suite, const BaselineCase& one, const DrawnCase& drawn) {
-        const auto found = suite.baseline.records.find(one.name);
-        const bool fresh = found == suite.baseline.records.end();
-        const std::string changed = fresh ? "" : changes(found->second, drawn.record);
-        suite.baseline.records[one.name] = drawn.record;
-        if (one.picture) keep_picture(suite.baseline, one, drawn);
-        if (fresh) {
-            tell("new", suite, one, "recorded; look at it before you keep it");
-        } else if (!changed.empty()) {
-            tell("changed", suite, one, changed);
-        } else if (!options_.quietly()) {
-            tell("kept", suite, one, "as recorded");
+    void take(const ChosenCase& at, CaseResult result) {
+        Suite& suite = suite_at(at);
+        const BaselineCase& one = case_at(at);
+        forget(suite, one.name);
+        if (options_.update && result.got) {
+            try {
+                if (!result.kept.empty()) keep_picture(suite.baseline, result.name, result.kept);
+                suite.baseline.records[result.name] = *result.got;
+            } catch (const Error& fault) {
+                result = undrawn(Outcome::failed, fault.what());
+            }
         }
-        return {Outcome::as_recorded, fresh ? "recorded" : changed};
+        annotations_.push_back({one.place, one.name, result.verdict});
+        take(suite, one.name, result);
     }
 
-    static void keep_picture(const Baseline& baseline, const BaselineCase& one,
-                             const DrawnCase& drawn) {
-        const fs::path file = baseline.picture_of(one);
-        const auto bytes = encode_png(drawn.image, screen_dots_per_inch, own_text());
-        std::error_code fault;
-        fs::create_directories(file.parent_path(), fault);
-        if (fault)
-            throw Error(
-                fmt::format("cannot make {}: {}", file.parent_path().string(), fault.message()));
-        write_file(file, bytes);
+    /// Takes away what earlier results have of a case.
+    void forget(const Suite& suite, const std::string& name) {
+        if (good_record_name(name)) attempt([&] { page_.forget(suite.name, name); });
     }
 
-    void rewrite(Suite& suite, const std::string& before) const {
-        for (const std::string& name : suite.baseline.orphans) {
-            if (options_.as_json) break;
-            fmt::print("{:<8} {} {}: it has no case any more\n", "removed", suite.name, name);
+    /// Tells, and notes for the report and the page.
+    void take(const Suite& suite, const std::string& name, const CaseResult& result) {
+        const bool good = result.verdict.outcome == Outcome::as_recorded;
+        const bool same = good && (result.word == "ok" || result.word == "kept");
+        if (!options_.as_json && !(same && options_.quietly())) {
+            fmt::print("{:<8} {} {}: {}\n", result.word, suite.name, name, result.told);
+            std::fflush(stdout);
         }
-        const std::string after = lock_text(suite.baseline.records, LockOwner::verify);
-        const Baseline& baseline = suite.baseline;
-        if (after != before || !baseline.orphans.empty() || baseline.unlocked)
-            write_file(baseline.lock(), after);
-        if (!baseline.unlocked) return;
-        write_file(baseline.file, baseline.head);
-        if (!options_.as_json)
-            fmt::print("{:<8} {}: what is recorded, into {}\n", "moved", suite.name,
-                       baseline.lock().string());
+        cases_.push_back({suite.baseline.file.string(), name, result.verdict, result.seconds,
+                          result.expected_pixels, result.got_pixels});
+        if (!good && !options_.update) show(suite, name, result);
     }
 
-    void tell(const char* word, const Suite& suite, const BaselineCase& one,
-              const std::string& text) const {
-        if (options_.as_json) return;
-        fmt::print("{:<8} {} {}: {}\n", word, suite.name, one.name, text);
-        std::fflush(stdout);
+    void show(const Suite& suite, const std::string& name, const CaseResult& result) {
+        attempt([&] {
+            page_.begin();
+            tell_temporary_folder();
+        });
+        const std::string file = suite.baseline.file.string();
+        const std::string command =
+            result.got ? accept_command(file, name, page_.folder().string()) : "";
+        const bool shown =
+            attempt([&] { page_.add(suite.name, name, result.verdict, result.pictures, command); });
+        if (!shown || !result.got) return;
+        attempt(
+            [&] { page_.add_record(suite.name, name, got_record_text(file, name, *result.got)); });
     }
 
-    int stop() {
-        page_.finish();
-        return exit_status_of_signal(signal_);
+    void tell_temporary_folder() {
+        if (results_.why_temporary.empty()) return;
+        fmt::print(stderr, "{}; results are in {}\n", results_.why_temporary,
+                   page_.folder().string());
+        results_.why_temporary.clear();
     }
 
-    [[nodiscard]] std::size_t count(Outcome outcome) const {
-        return static_cast<std::size_t>(
-            std::count_if(cases_.begin(), cases_.end(),
-                          [&](const JunitCase& one) { return one.verdict.outcome == outcome; }));
+    /// Does what may fail for want of disk, without an end to the rest; each reason is told once.
+    template <class Writing>
+    bool attempt(const Writing& writing) {
+        try {
+            writing();
+            return true;
+        } catch (const std::exception& fault) {
+            could_not_write_ = true;
+            if (told_.insert(fault.what()).second) fmt::print(stderr, "{}\n", fault.what());
+            return false;
+        }
     }
 
-    [[nodiscard]] int conclude() const {
-        const std::size_t good = count(Outcome::as_recorded);
-        report_to_service();
+    void stop(std::size_t number, int signal) {
+        stopped_ = true;
+        const std::string why = fmt::format("not compared: stopped by signal {} ({})", signal,
+                                            signal == SIGINT ? "interrupt" : "terminate");
+        fmt::print(stderr, "stopped by {}: {} of {} cases were not {}\n",
+                   signal == SIGINT ? "an interrupt" : "a request to terminate",
+                   chosen_.size() - number, chosen_.size(),
+                   options_.update ? "recorded" : "compared");
+        for (; number < chosen_.size(); ++number) {
+            const Suite& suite = suite_at(chosen_[number]);
+            const std::string& name = case_at(chosen_[number]).name;
+            const CaseResult result = undrawn(Outcome::failed, why);
+            annotations_.push_back({case_at(chosen_[number]).place, name, result.verdict});
+            cases_.push_back({suite.baseline.file.string(), name, result.verdict});
+            forget(suite, name);
+            if (!options_.update) show(suite, name, result);
+        }
+    }
+
+    void rewrite_locks() {
+        const bool partly = !options_.names.empty() || !options_.patterns.empty() || stopped_;
+        for (std::size_t s = 0; s < suites_.size(); ++s) {
+            Baseline& baseline = suites_[s].baseline;
+            const bool meant =
+                std::ranges::any_of(chosen_, [&](const ChosenCase& at) { return at.suite == s; });
+            if (!meant) continue;
+            const bool moves = baseline.unlocked;
+            if (!attempt([&] { write_lock(baseline, before_[s], partly); }) || options_.as_json)
+                continue;
+            for (const auto& [name, record] : baseline.orphans) {
+                if (partly) break;
+                fmt::print("{:<8} {} {}: it has no case any more\n", "removed", suites_[s].name,
+                           name);
+            }
+            if (moves) {
+                fmt::print("{:<8} {}: what is recorded, into {}\n", "moved", suites_[s].name,
+                           baseline.lock().string());
+            }
+        }
+    }
+
+    /// Before the page, which may take all the room that is left.
+    void write_report() {
+        try {
+            junit_.write(cases_);
+        } catch (const Error& fault) {
+            if (!page_.has_cases() || !page_.shares_disk_with(options_.junit)) throw;
+            fmt::print(stderr, "{}; pictures are left out\n", fault.what());
+            could_not_write_ = true;
+            page_.drop_pictures();
+            junit_.write(cases_);
+        }
+    }
+
+    int conclude() {
+        attempt([&] { write_report(); });
+        const bool paged = page_.has_cases() && attempt([&] { page_.finish(); });
+        const auto good = std::ranges::count_if(cases_, [](const JunitCase& one) {
+            return one.verdict.outcome == Outcome::as_recorded;
+        });
+        const std::string page = paged ? page_.file().string() : "";
+        attempt([&] { report_to_service(page); });
         if (options_.as_json) {
-            if (options_.format != ReportFormat::gitlab) print_json();
+            if (options_.format != ReportFormat::gitlab) print_json(good, page);
         } else if (!options_.update && !options_.quietly()) {
             fmt::print("{} of {} as recorded{}{}\n", good, cases_.size(),
-                       page_.has_cases() ? "; see " : "",
-                       page_.has_cases() ? page_.file().string() : "");
+                       page.empty() ? "" : "; see ", page);
         }
-        if (count(Outcome::wrong_input) > 0) return 2;
-        return good == cases_.size() ? 0 : 1;
+        int status = stopped_ || could_not_write_ ? could_not_work : all_is_well;
+        for (const JunitCase& one : cases_)
+            status = std::max(status, status_of(one.verdict.outcome));
+        return status;
     }
 
-    void report_to_service() const {
-        const fs::path checkout = checkout_folder(options_.format);
+    void report_to_service(const std::string& page) const {
+        const std::filesystem::path checkout = checkout_folder(options_.format);
         if (options_.format == ReportFormat::gitlab)
             std::fputs(gitlab_report(annotations_, checkout).c_str(), stdout);
         if (options_.format != ReportFormat::github) return;
         std::fputs(github_annotations(annotations_, checkout).c_str(), stdout);
-        add_to_github_summary(
-            github_summary(annotations_, page_.has_cases() ? page_.file() : fs::path()));
+        add_to_github_summary(github_summary(annotations_, page));
     }
 
-    void print_json() const {
+    void print_json(std::ptrdiff_t good, const std::string& page) const {
         nlohmann::ordered_json json;
-        json["as_recorded"] = count(Outcome::as_recorded);
-        json["page"] = page_.has_cases() ? nlohmann::ordered_json(page_.file().string()) : nullptr;
+        json["as_recorded"] = good;
+        json["page"] =
+            page.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(page);
         json["cases"] = nlohmann::ordered_json::array();
         for (const JunitCase& one : cases_) {
             json["cases"].push_back({{"baseline", one.suite},
@@ -319,22 +287,56 @@ class Verification {
     }
 
     const VerificationOptions& options_;
-    std::vector<Suite> suites_;
-    OutputClaims claims_;
+    std::vector<Suite>& suites_;
+    std::vector<ChosenCase> chosen_;
+    JunitFile& junit_;
+    ResultsFolder results_;
     VerifyPage page_;
     WorkOptions work_;
+    std::vector<BaselineRecords> before_;  ///< what the suites' locks hold
     std::vector<JunitCase> cases_;
-    std::vector<Annotation> annotations_;
-    std::string began_ = fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(std::time(nullptr)));
-    int signal_ = 0;
+    std::vector<Annotation> annotations_;  ///< of the same
+    std::set<std::string> told_;           ///< faults
+    bool could_not_write_ = false;
+    bool stopped_ = false;
 };
+
+/// Notes all that is read, so that no report or page replaces it.
+OutputClaims claim_inputs(const VerificationOptions& options, const std::vector<Suite>& suites) {
+    OutputClaims claims(options.force);
+    for (const Suite& suite : suites) {
+        const Baseline& baseline = suite.baseline;
+        claims.reads(baseline.file);
+        claims.reads(baseline.lock());
+        for (const auto& [name, record] : baseline.records) claims.reads(baseline.picture_of(name));
+        for (const BaselineCase& one : baseline.cases)
+            if (one.picture) claims.reads(baseline.picture_of(one));
+    }
+    note_inputs(options, suites, claims);
+    return claims;
+}
+
+int verify_suites(const VerificationOptions& options) {
+    std::vector<Suite> suites = read_suites(options);
+    if (options.list) return list_cases(options, suites);
+    OutputClaims claims = claim_inputs(options, suites);
+    JunitFile junit(options.junit, claims);
+    try {
+        if (!options.accepts.empty()) return accept_results(options, suites);
+        std::vector<ChosenCase> chosen = chosen_cases(options, suites);
+        return Verification(options, suites, std::move(chosen), claims, junit).run();
+    } catch (const std::exception& fault) {
+        const bool wrong = dynamic_cast<const InputError*>(&fault) != nullptr;
+        junit.write_fault(wrong ? Outcome::wrong_input : Outcome::failed, fault.what());
+        throw;
+    }
+}
 
 }  // namespace
 
 int verify(const VerificationOptions& options) {
-    if (!options.junit.empty()) check_ending(options.junit, "a JUnit report", junit_ending);
     try {
-        return Verification(options, read_suites(options)).run();
+        return verify_suites(options);
     } catch (const InputError& fault) {
         if (options.format == ReportFormat::github) {
             for (const std::string& line : fault.lines())

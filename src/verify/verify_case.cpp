@@ -30,13 +30,6 @@ std::string state_of(const std::vector<RunRecord>& records) {
     return hex(all.finish());
 }
 
-/// As SceneText::version.
-std::string version_of(const Baseline& baseline, const BaselineCase& one, CaseDefaults defaults) {
-    const auto found = baseline.records.find(one.name);
-    if (defaults == CaseDefaults::of_today || found == baseline.records.end()) return {};
-    return found->second.fumon;
-}
-
 /// Makes the figure of a case's scene from runs of its own and draws it as pixels. Its state is
 /// that of its runs. Throws InputError where the figure is wrong, Error where a run or a drawing
 /// library fails.
@@ -103,15 +96,27 @@ std::int64_t step_of(const BaselineCase& one, const Scene& scene) {
 
 }  // namespace
 
+std::string version_of(const Baseline& baseline, const BaselineCase& one, CaseDefaults defaults,
+                       const std::string& record) {
+    if (defaults == CaseDefaults::of_today) return {};
+    if (const auto found = baseline.records.find(record); found != baseline.records.end())
+        return found->second.fumon;
+    for (const std::string& environment : one.environments) {
+        const auto found = baseline.records.find(record_name(one.name, environment));
+        if (found != baseline.records.end()) return found->second.fumon;
+    }
+    return {};
+}
+
 Scene scene_of(const Baseline& baseline, const BaselineCase& one, bool trusted,
-               CaseDefaults defaults) {
+               const std::string& version) {
     return located(one, trusted, [&] {
         std::vector<Override> overrides = read_settings(one.settings);
         for (std::size_t i = 0; i < overrides.size(); ++i)
             overrides[i].place = fmt::format("settings.{}", i + 1);
         SceneText text = read_scene_text(baseline.file.parent_path() / one.scene);
         text.trusted = trusted;
-        text.version = version_of(baseline, one, defaults);
+        text.version = version;
         return parse_scene(text, overrides);
     });
 }
@@ -121,15 +126,15 @@ namespace {
 /// As it looks, with nothing ignored yet; `overlays` gets those that stand on it,
 /// where one may be ignored.
 DrawnCase draw_whole_case(const Baseline& baseline, const BaselineCase& one, bool trusted,
-                          CaseDefaults defaults, const WorkOptions& work,
+                          const std::string& version, const WorkOptions& work,
                           std::vector<OverlayPlace>& overlays) {
     if (one.figure) {
         return located(one, trusted, [&] {
-            FigureSources sources(trusted, version_of(baseline, one, defaults));
+            FigureSources sources(trusted, version);
             return draw_figure_case(baseline, one, sources, work);
         });
     }
-    Scene scene = scene_of(baseline, one, trusted, defaults);
+    Scene scene = scene_of(baseline, one, trusted, version);
     return located(one, trusted, [&] {
         PreparedRun prepared = prepare_run(std::move(scene), work.threads);
         Progress progress(work.verbosity, static_cast<std::int64_t>(prepared.initial.bed.size()));
@@ -141,8 +146,12 @@ DrawnCase draw_whole_case(const Baseline& baseline, const BaselineCase& one, boo
                 : advance_to(prepared, step_of(one, prepared.scene), progress);
         if (drawn.signal != 0) return drawn;
         Drawing drawing = draw_snapshot(prepared, first, prepared.model->snapshot(), work);
-        drawn.record = {FUMON_VERSION, drawing.record.environment, hex(state_hash(*prepared.model)),
-                        fingerprint_of(drawing.image), {}, drawing.record.under_overlays};
+        drawn.record = {FUMON_VERSION,
+                        drawing.record.environment,
+                        hex(state_hash(*prepared.model)),
+                        fingerprint_of(drawing.image),
+                        {},
+                        drawing.record.under_overlays};
         drawn.image = std::move(drawing.image);
         if (!one.ignore.overlays.empty()) overlays = overlay_places(prepared.scene, first);
         return drawn;
@@ -158,9 +167,9 @@ Sha256 hash_without(const Image& image, const IgnoredPixels& ignored) {
 }  // namespace
 
 DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, bool trusted,
-                    CaseDefaults defaults, const WorkOptions& work) {
+                    const std::string& version, const WorkOptions& work) {
     std::vector<OverlayPlace> overlays;
-    DrawnCase drawn = draw_whole_case(baseline, one, trusted, defaults, work, overlays);
+    DrawnCase drawn = draw_whole_case(baseline, one, trusted, version, work, overlays);
     if (drawn.signal != 0 || !one.ignore.any()) return drawn;
     drawn.ignored = ignored_in_case(baseline, one, trusted, drawn.image, overlays);
     drawn.record.ignored = drawn.ignored.hash();
@@ -169,8 +178,9 @@ DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, bool trus
 }
 
 std::optional<Image> recorded_picture(const Baseline& baseline, const BaselineCase& one,
-                                      const BaselineRecord& record, const IgnoredPixels& ignored) {
-    const auto file = baseline.picture_of(one);
+                                      const std::string& name, const BaselineRecord& record,
+                                      const IgnoredPixels& ignored) {
+    const auto file = baseline.picture_of(name);
     if (!one.picture || !std::filesystem::exists(file)) return std::nullopt;
     Image image = read_png(file);
     if (ignored.hash() != record.ignored) return image;  // judge() says so
@@ -178,7 +188,7 @@ std::optional<Image> recorded_picture(const Baseline& baseline, const BaselineCa
         throw InputError(fmt::format(
             "{}: is not the picture that {} recorded for {}; bring it back, or accept a "
             "new one with `fumon verify --update`",
-            file.string(), baseline.lock().string(), one.name));
+            file.string(), baseline.lock().string(), name));
     }
     return image;
 }

@@ -15,11 +15,16 @@ enum class CaseDefaults {
     of_today,     ///< this one, for a case that is to be recorded
 };
 
+/// The version whose defaults hold for a case, as SceneText::version: of the fumon that made this
+/// record of it, where there is one and its defaults are asked for.
+std::string version_of(const Baseline& baseline, const BaselineCase& one, CaseDefaults defaults,
+                       const std::string& record);
+
 /// The scene of a case with its settings. Throws InputError located at the case. A baseline may
 /// come from anyone: where it is not trusted, scene/trust.h holds, and messages tell nothing of the
 /// files that it names, nor whether they are there.
 Scene scene_of(const Baseline& baseline, const BaselineCase& one, bool trusted,
-               CaseDefaults defaults);
+               const std::string& version);
 
 /// A case as it looks now.
 struct DrawnCase {
@@ -32,13 +37,13 @@ struct DrawnCase {
 /// Runs the case's scene to its step or time and draws it. Throws InputError located at the case
 /// where scene, step or bed are wrong, Error where the run or OpenGL fails.
 DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, bool trusted,
-                    CaseDefaults defaults, const WorkOptions& work);
+                    const std::string& version, const WorkOptions& work);
 
-/// The expected picture that is kept beside the baseline; none where the case keeps none or the
-/// file is not there. Throws InputError where it is not the picture that was recorded, ignored
-/// pixels apart.
+/// The expected picture of a record (see record_name()) that is kept beside the baseline; none
+/// where the case keeps none or the file is not there. Throws InputError where it is not the
+/// picture that was recorded, ignored pixels apart.
 std::optional<Image> recorded_picture(const Baseline& baseline, const BaselineCase& one,
-                                      const BaselineRecord& record,
+                                      const std::string& name, const BaselineRecord& record,
                                       const IgnoredPixels& ignored = {});
 
 }  // namespace fumon

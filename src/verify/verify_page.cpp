@@ -1,29 +1,22 @@
 #include "verify/verify_page.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <span>
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
+#include <utility>
 
 #include "base/error.h"
 #include "outputs/own_file.h"
-#include "picture/compare.h"
 #include "picture/markup.h"
-#include "picture/png.h"
+#include "verify/got_records.h"
 
 namespace fumon {
 
 namespace {
-
-// What the pictures of a case are called.
-constexpr const char* expected_kind = "expected";
-constexpr const char* got_kind = "got";
-constexpr const char* thumbnail_kind = "got-thumbnail";
-constexpr const char* difference_kind = "difference";
-constexpr std::array<const char*, 4> kinds{expected_kind, got_kind, thumbnail_kind,
-                                           difference_kind};
 
 constexpr const char* page_start = R"html(<!DOCTYPE html>
 <html lang="en">
@@ -45,6 +38,7 @@ section { margin-bottom: 3em; }
 h1 { font-size: 1.5em; }
 h2 { font-size: 1.2em; margin: 0; }
 h1, h2, p { overflow-wrap: anywhere; }
+code { user-select: all; }
 .pictures { display: flex; flex-wrap: wrap; gap: 1em; }
 figure { margin: 0; width: 30em; max-width: 100%; }
 img { width: 100%; box-sizing: border-box; border: 1px solid var(--line); image-rendering: pixelated; }
@@ -87,7 +81,7 @@ for (const section of document.querySelectorAll("section.pair")) {
 )html";
 
 /// RFC 4648.
-std::string base64(std::span<const std::uint8_t> bytes) {
+std::string base64(std::string_view bytes) {
     constexpr std::string_view digits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
@@ -96,19 +90,11 @@ std::string base64(std::span<const std::uint8_t> bytes) {
         const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
         std::uint32_t three = 0;
         for (std::size_t j = 0; j < 3; ++j)
-            three = (three << 8U) | (j < count ? bytes[i + j] : std::uint32_t{0});
+            three = (three << 8U) | (j < count ? static_cast<std::uint8_t>(bytes[i + j]) : 0U);
         for (std::size_t j = 0; j < 4; ++j)
             text += j <= count ? digits[(three >> (18 - 6 * j)) & 63U] : '=';
     }
     return text;
-}
-
-/// A thumbnail as a picture of its own size.
-Image picture_of(const Thumbnail& thumbnail) {
-    Image image(Thumbnail::width, Thumbnail::height);
-    for (std::size_t i = 0; i < Thumbnail::count; ++i)
-        image.rgb[i] = static_cast<std::uint8_t>(std::lround(thumbnail.levels[i]));
-    return image;
 }
 
 void remove_file(const std::filesystem::path& file) {
@@ -118,35 +104,87 @@ void remove_file(const std::filesystem::path& file) {
         throw Error(fmt::format("cannot remove {}: {}", file.string(), fault.message()));
 }
 
-bool same_size(const Image& first, const Image& second) {
-    return first.width == second.width && first.height == second.height;
+/// The folder of a file, made where it is not there.
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code fault;
+    std::filesystem::create_directories(folder, fault);
+    if (fault) throw Error(fmt::format("cannot make {}: {}", folder.string(), fault.message()));
+}
+
+std::filesystem::path new_temporary_folder() {
+    std::error_code fault;
+    const auto parent = std::filesystem::temp_directory_path(fault);
+    std::string folder = ((fault ? "/tmp" : parent) / "fumon-verify-XXXXXX").string();
+    if (::mkdtemp(folder.data()) == nullptr) {
+        throw Error(fmt::format("cannot make the folder {}: {}", folder,
+                                std::generic_category().message(errno)));
+    }
+    return folder;
+}
+
+std::string head_of_page() {
+    return fmt::format("{}{}{}", page_start, own_page_mark, page_head);
+}
+
+std::string section_text(const std::string& suite, const std::string& name, const Verdict& verdict,
+                         const std::vector<PagePicture>& pictures, const std::string& command) {
+    const bool pair = std::ranges::any_of(
+        pictures, [](const PagePicture& one) { return one.kind == difference_kind; });
+    std::string text =
+        fmt::format("<section{}>\n<h2>{} {}</h2>\n<p>{}</p>\n", pair ? " class=\"pair\"" : "",
+                    markup_text(suite), markup_text(name), markup_text(verdict.finding));
+    if (!command.empty())
+        text += fmt::format("<p>Accept it: <code>{}</code></p>\n", markup_text(command));
+    if (pictures.empty()) return text + "</section>\n";
+    text += "<div class=\"pictures\">\n";
+    for (const PagePicture& one : pictures) {
+        text += fmt::format(
+            "<figure><img class=\"{}\" alt=\"{} {}: {}\" "
+            "src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>\n",
+            one.shown_as, markup_text(suite), markup_text(name), one.caption,
+            base64(one.hatched.empty() ? one.png : one.hatched), one.caption);
+    }
+    return text + "</div>\n</section>\n";
 }
 
 }  // namespace
 
 VerifyPage::VerifyPage(std::filesystem::path folder, const OutputClaims& claims)
     : folder_(std::move(folder)) {
-    if (!std::filesystem::exists(folder_)) return;
+    if (folder_.empty() || !std::filesystem::exists(folder_)) return;
     lock_.emplace(folder_);
     claims.check(file(), false);
 }
 
 void VerifyPage::forget() {
-    remove_file(file());
+    if (!folder_.empty()) remove_file(file());
+}
+
+std::filesystem::path VerifyPage::file_of(const std::string& suite, const std::string& name,
+                                          std::string_view kind) const {
+    return folder_ / suite / fmt::format("{}-{}.png", name, kind);
+}
+
+std::vector<std::filesystem::path> VerifyPage::files_of(const std::string& suite,
+                                                        const std::string& name) const {
+    std::vector<std::filesystem::path> files;
+    for (const std::string_view kind : picture_kinds) files.push_back(file_of(suite, name, kind));
+    files.push_back(got_record_file(folder_ / suite, name));
+    return files;
 }
 
 void VerifyPage::check(const std::string& suite, const std::string& name,
                        const OutputClaims& claims) const {
-    for (const char* kind : kinds) claims.check(picture(suite, name, kind), false);
+    if (folder_.empty()) return;
+    for (const auto& file : files_of(suite, name)) claims.check(file, false);
 }
 
 void VerifyPage::forget(const std::string& suite, const std::string& name) {
     std::error_code fault;
     const std::filesystem::path folder = folder_ / suite;
-    if (std::filesystem::is_symlink(folder, fault)) return;
+    if (folder_.empty() || std::filesystem::is_symlink(folder, fault)) return;
     bool any = false;
-    for (const char* kind : kinds) {
-        const std::filesystem::path file = picture(suite, name, kind);
+    for (const auto& file : files_of(suite, name)) {
         if (!std::filesystem::exists(file, fault) || !says_that_fumon_made_it(file)) continue;
         remove_file(file);
         any = true;
@@ -154,97 +192,97 @@ void VerifyPage::forget(const std::string& suite, const std::string& name) {
     if (any) std::filesystem::remove(folder, fault);  // unless something is left in it
 }
 
-std::filesystem::path VerifyPage::picture(const std::string& suite, const std::string& name,
-                                          std::string_view kind) const {
-    return folder_ / suite / fmt::format("{}-{}.png", name, kind);
-}
-
 void VerifyPage::add(const std::string& suite, const std::string& name, const Verdict& verdict,
                      const Image& got, const BaselineRecord* record, const Image* expected,
                      const IgnoredPixels& ignored) {
-    begin();
-    const auto file = [&](const char* kind) { return picture(suite, name, kind); };
-    write_section_head(suite, name, verdict, record != nullptr);
-    write("<div class=\"pictures\">\n");
-    const auto show = [&](const Image& image, const std::filesystem::path& to, const char* kind,
-                          const std::string& caption) {
-        write_picture(image, to, kind, suite + " " + name, caption, ignored);
-    };
-    if (record == nullptr) {
-        show(got, file(got_kind), "got", "got");
-    } else {
-        const bool whole = expected != nullptr && same_size(*expected, got);
-        const Image before = whole ? *expected : picture_of(record->fingerprint.thumbnail);
-        const Image after = whole ? got : picture_of(thumbnail_of(blanked(got, ignored)));
-        const std::string of_what = whole ? "" : " (thumbnail)";
-        show(before, file(expected_kind), "expected", "expected" + of_what);
-        show(after, file(whole ? got_kind : thumbnail_kind), "got", "got" + of_what);
-        show(difference_picture(before, after, whole ? ignored : IgnoredPixels{}),
-             file(difference_kind), "difference", "difference" + of_what);
-        if (!whole) show(got, file(got_kind), "whole", "got, whole");
-    }
-    write("</div>\n</section>\n");
+    add(suite, name, verdict, page_pictures(got, record, expected, ignored), "");
 }
 
-void VerifyPage::add(const std::string& suite, const std::string& name, const Verdict& verdict) {
+void VerifyPage::add(const std::string& suite, const std::string& name, const Verdict& verdict,
+                     const std::vector<PagePicture>& pictures, const std::string& command) {
+    const std::string alone = section_text(suite, name, verdict, {}, "");
+    texts_ += alone;
     begin();
-    write_section_head(suite, name, verdict, false);
-    write("</section>\n");
+    try {
+        if (!pictures.empty()) make_folder(folder_ / suite);
+        for (const PagePicture& one : pictures)
+            write_beside(file_of(suite, name, one.kind), one.png);
+        write(section_text(suite, name, verdict, pictures, command));
+    } catch (const Error&) {
+        write(alone);
+        throw;
+    }
+}
+
+void VerifyPage::add_record(const std::string& suite, const std::string& name,
+                            std::string_view text) {
+    begin();
+    make_folder(folder_ / suite);
+    write_beside(got_record_file(folder_ / suite, name), text);
 }
 
 void VerifyPage::finish() {
-    if (!page_) return;
-    if (is_torn_) {
-        page_.reset();
-        throw Error(fmt::format("cannot write {}: an earlier part of it failed", file().string()));
+    if (texts_.empty()) return;
+    try {
+        begin();
+        if (!is_torn_) {
+            write(tail);
+            page_->commit();
+            return;
+        }
+    } catch (const Error&) {
+        if (!page_) throw;
     }
-    write(tail);
-    page_->commit();
+    drop_pictures();
+    write_file(file(), head_of_page() + texts_ + tail);
+}
+
+void VerifyPage::drop_pictures() {
+    page_.reset();
+    is_torn_ = true;
+    std::error_code ignored;
+    for (const auto& file : beside_) std::filesystem::remove(file, ignored);
+    for (const auto& file : beside_) std::filesystem::remove(file.parent_path(), ignored);
+    beside_.clear();
+}
+
+bool VerifyPage::shares_disk_with(const std::filesystem::path& file) const {
+    struct stat here {};
+    struct stat there {};
+    std::error_code fault;
+    const auto folder = std::filesystem::absolute(file, fault).parent_path();
+    return !folder_.empty() && ::stat(folder_.c_str(), &here) == 0 &&
+           ::stat(folder.c_str(), &there) == 0 && here.st_dev == there.st_dev;
 }
 
 void VerifyPage::begin() {
     if (page_) return;
-    std::error_code fault;
-    std::filesystem::create_directories(folder_, fault);
-    if (fault) throw Error(fmt::format("cannot make {}: {}", folder_.string(), fault.message()));
+    if (folder_.empty()) folder_ = new_temporary_folder();
+    make_folder(folder_);
     if (!lock_) lock_.emplace(folder_);
     page_ = std::make_unique<AtomicFile>(file());
-    write(page_start);
-    write(own_page_mark);
-    write(page_head);
-}
-
-void VerifyPage::write(std::string_view text) {
     try {
-        page_->write(text);
+        write(head_of_page());
     } catch (...) {
         is_torn_ = true;
         throw;
     }
 }
 
-void VerifyPage::write_section_head(const std::string& suite, const std::string& name,
-                                    const Verdict& verdict, bool pair) {
-    write(fmt::format("<section{}>\n<h2>{} {}</h2>\n<p>{}</p>\n", pair ? " class=\"pair\"" : "",
-                      markup_text(suite), markup_text(name), markup_text(verdict.finding)));
+void VerifyPage::write_beside(const std::filesystem::path& file, std::string_view bytes) {
+    write_file(file, bytes);
+    beside_.push_back(file);
 }
 
-void VerifyPage::write_picture(const Image& image, const std::filesystem::path& file,
-                               const char* kind, const std::string& of, const std::string& caption,
-                               const IgnoredPixels& ignored) {
-    std::error_code fault;
-    std::filesystem::create_directories(file.parent_path(), fault);
-    if (fault) refuse_to_write(file.parent_path(), fault.value());
-    const auto bytes = encode_png(image, screen_dots_per_inch, own_text());
-    write_file(file, bytes);
-    const bool hatches = ignored.any() && kind != std::string_view("difference") &&
-                         ignored.width == image.width && ignored.height == image.height;
-    const auto shown =
-        hatches ? encode_png(hatched(image, ignored), screen_dots_per_inch, own_text()) : bytes;
-    write(
-        fmt::format("<figure><img class=\"{}\" alt=\"{}: {}\" src=\"data:image/png;base64,{}\">"
-                    "<figcaption>{}</figcaption></figure>\n",
-                    kind, markup_text(of), caption, base64(shown), caption));
+void VerifyPage::write(std::string_view text) {
+    if (is_torn_) return;
+    const std::int64_t before = page_->length();
+    try {
+        page_->write(text);
+    } catch (...) {
+        is_torn_ = page_->length() != before;
+        throw;
+    }
 }
 
 }  // namespace fumon

@@ -5,24 +5,26 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/image.h"
 #include "files/atomic_file.h"
 #include "files/folder_lock.h"
 #include "outputs/output_claims.h"
-#include "picture/baseline.h"
-#include "picture/pixels/ignored_pixels.h"
+#include "picture/baseline_records.h"
 #include "picture/verdict.h"
+#include "verify/page_pictures.h"
 
 namespace fumon {
 
 /// The folder of cases that did not pass: their pictures, and index.html, a self-contained page
 /// that shows them side by side and in turns. Created with the first case that is added; memory
-/// does not grow with their number.
+/// grows with their number by the text alone, so that a page of texts can be written where there is
+/// no room for the pictures.
 class VerifyPage {
   public:
-    /// Locks the folder if it is there. Throws InputError where the claims forbid the page or
-    /// another program is working there.
+    /// Locks the folder if it is there; "": a new one among the system's temporary files. Throws
+    /// InputError where the claims forbid the page or another program is working there.
     VerifyPage(std::filesystem::path folder, const OutputClaims& claims);
 
     /// Throws as OutputClaims::check() where the pictures of a case may not be written.
@@ -35,40 +37,53 @@ class VerifyPage {
     /// Error.
     void forget(const std::string& suite, const std::string& name);
 
-    /// Writes DIR/SUITE/NAME-got.png and, where `record` is not null, -expected.png and
-    /// -difference.png: of the kept picture, else of the thumbnails. On the page and in the
-    /// difference, ignored pixels are hatched. Throws Error.
+    /// Writes page_pictures() as DIR/SUITE/NAME-KIND.png and shows them. Throws Error.
     void add(const std::string& suite, const std::string& name, const Verdict& verdict,
              const Image& got, const BaselineRecord* record, const Image* expected,
              const IgnoredPixels& ignored = {});
 
-    /// Adds a case of which there is no picture.
-    void add(const std::string& suite, const std::string& name, const Verdict& verdict);
+    /// Likewise; `command`, unless empty, is what accepts the picture. Where the pictures cannot be
+    /// written, the case is on the page without them, and Error is thrown.
+    void add(const std::string& suite, const std::string& name, const Verdict& verdict,
+             const std::vector<PagePicture>& pictures, const std::string& command);
 
-    /// Ends the page, if there is one. Throws Error, also where a part of it could not be written
-    /// before, and then leaves none.
+    /// Writes a text beside the pictures of a case that was added, DIR/SUITE/NAME-got.lock: the
+    /// record of its new picture. Throws Error.
+    void add_record(const std::string& suite, const std::string& name, std::string_view text);
+
+    /// Ends the page, if there is one; where there is no room for it, without its pictures, whose
+    /// files go too. Throws Error where there is no room for that either, and then leaves none.
     void finish();
 
-    [[nodiscard]] bool has_cases() const { return page_ != nullptr; }
+    /// Makes room: takes back the pictures that were written, here and on the page.
+    void drop_pictures();
+
+    /// Whether a file lies, or will lie, on the same disk as the pictures.
+    [[nodiscard]] bool shares_disk_with(const std::filesystem::path& file) const;
+
+    [[nodiscard]] bool has_cases() const { return !texts_.empty(); }
     [[nodiscard]] std::filesystem::path file() const { return folder_ / "index.html"; }
+    /// "" where it is a temporary one that is not made yet.
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+    /// Makes the folder, if it is not there yet. Throws Error.
+    void begin();
 
   private:
-    [[nodiscard]] std::filesystem::path picture(const std::string& suite, const std::string& name,
+    [[nodiscard]] std::filesystem::path file_of(const std::string& suite, const std::string& name,
                                                 std::string_view kind) const;
-    void begin();
+    /// Every file that a case may have.
+    [[nodiscard]] std::vector<std::filesystem::path> files_of(const std::string& suite,
+                                                              const std::string& name) const;
     void write(std::string_view text);
-    void write_section_head(const std::string& suite, const std::string& name,
-                            const Verdict& verdict, bool pair);
-    /// Writes a picture's file and shows it on the page, hatched where pixels are ignored of one of
-    /// its size; `of`: the case.
-    void write_picture(const Image& image, const std::filesystem::path& file, const char* kind,
-                       const std::string& of, const std::string& caption,
-                       const IgnoredPixels& ignored);
+    void write_beside(const std::filesystem::path& file, std::string_view bytes);
 
     std::filesystem::path folder_;
     std::optional<FolderLock> lock_;
     std::unique_ptr<AtomicFile> page_;
-    bool is_torn_ = false;  ///< a part of it could not be written
+    std::string texts_;                          ///< its cases without pictures
+    std::vector<std::filesystem::path> beside_;  ///< what was written of the cases
+    bool is_torn_ = false;                       ///< a part of it could not be written
 };
 
 }  // namespace fumon

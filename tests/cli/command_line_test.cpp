@@ -211,7 +211,7 @@ TEST(CommandLine, AFullStandardOutputIsAnError) {
     const std::string command =
         std::string(FUMON_PROGRAM) + " describe > /dev/full 2> " + (folder / "errors").string();
     const int status = std::system(command.c_str());
-    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_EQ(WEXITSTATUS(status), 3);
     EXPECT_EQ(read_text(folder / "errors"),
               "cannot write to standard output: No space left on device\n");
 }

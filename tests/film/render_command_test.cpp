@@ -153,7 +153,7 @@ TEST_F(RenderCommandTest, AKilledShardIsDoneAgainAndMissingFramesAreNamed) {
                "half of a pictu");  // it was killed
     write_text(*folder_ / "killed/frames/frame_000002.png.lock", "");
     const Ended early = render("killed", {"--merge"});
-    EXPECT_EQ(early.status, 1);
+    EXPECT_EQ(early.status, 3);
     EXPECT_EQ(
         early.errors,
         "killed: 2 of 5 frames are missing, so the movie is not made: 2, 4; `fumon render beds -o "
@@ -188,7 +188,7 @@ TEST_F(RenderCommandTest, AnotherLookIsDrawnFromTheSameBeds) {
     ASSERT_EQ(render("look", {"--set", "camera.azimuth=200", "--merge"}).status, 0);
     expect_the_runs_files("look", "turned");
     const Ended other = render("look", {"--merge"});
-    EXPECT_EQ(other.status, 1) << "they look otherwise";
+    EXPECT_EQ(other.status, 3) << "they look otherwise";
     EXPECT_NE(other.errors.find("5 of 5 frames are missing"), std::string::npos) << other.errors;
     const Ended refused = render("new", {"--set", "model.creep_rate=0.3"});
     EXPECT_EQ(refused.status, 2);

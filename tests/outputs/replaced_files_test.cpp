@@ -128,7 +128,7 @@ TEST_F(ReplacedFiles, WhatARunLeavesUnfinishedSaysWhatItMayWrite) {
     Words beyond = settings_that_leave_the_range();
     beyond.insert(beyond.end(), {"--set", "bed.high=999999"});
     const Ended failed = plain_run("out", beyond);
-    ASSERT_EQ(failed.status, 1) << failed.errors;
+    ASSERT_EQ(failed.status, 3) << failed.errors;
     const auto manifest = read_manifest(folder_ / "out");
     EXPECT_EQ(manifest["status"], "failed");
     ASSERT_TRUE(manifest.contains("may_write"));
@@ -294,7 +294,7 @@ TEST_F(ReplacedFiles, AnOutputThatCannotBeWrittenIsFoundBeforeTheComputation) {
     const auto refused = [&](Words words, const std::string& what) {
         words.insert(words.end(), endless.begin(), endless.end());
         const Ended ended = run(words);
-        EXPECT_EQ(ended.status, 1) << ended.errors;
+        EXPECT_EQ(ended.status, 3) << ended.errors;
         EXPECT_EQ(ended.errors, what + "\n");
     };
     refused({"still", "scene.toml", "-o", "no/a.png"},

@@ -202,7 +202,7 @@ TEST_F(FigureRunsTest, ARunThatFailsIsNamedAndOtherFiguresAreMade) {
         "steps = 50\n[figure]\nwidth = \"single\"\n[[figure.panel]]\n"
         "[[figure.panel.curve]]\ny = \"mean_depth\"\n");
     const Ended ended = figure("wild.toml", {"plots.toml"});
-    EXPECT_EQ(ended.status, 1) << ended.errors;
+    EXPECT_EQ(ended.status, 3) << ended.errors;
     EXPECT_NE(ended.errors.find("wild.toml: seed 1 failed: "), std::string::npos) << ended.errors;
     EXPECT_NE(ended.errors.find("wild.toml: is not made"), std::string::npos) << ended.errors;
     EXPECT_TRUE(fs::exists(folder_ / "out/plots.pdf"));

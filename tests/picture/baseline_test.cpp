@@ -115,7 +115,8 @@ TEST(Baseline, WhatHasNoCaseIsAnOrphan) {
     const Locked more(
         lock_text({{"map", some_record(40)}, {"oblique", some_record(40)}}, LockOwner::verify));
     const Baseline baseline = read_baseline(more.file);
-    EXPECT_EQ(baseline.orphans, std::vector<std::string>{"oblique"});
+    ASSERT_EQ(baseline.orphans.size(), 1U);
+    EXPECT_TRUE(baseline.orphans.contains("oblique"));
     EXPECT_EQ(baseline.records.size(), 1U);
 }
 
@@ -152,6 +153,55 @@ TEST(Baseline, ALockBelongsToWhoWroteIt) {
     const Locked damaged("[recorded.map]\nsize = 3\n");
     EXPECT_NE(message_of<InputError>([&] { read_baseline(damaged.file); }).find("b.lock:2:8: "),
               std::string::npos);
+}
+
+TEST(Baseline, ACaseHasRecordsOfItsEnvironments) {
+    const std::string described =
+        "environments = [\"card\", \"mesa-22\"]\n[environment.mesa-22]\nmesa = \"22.3\"\n"
+        "drawer = \"software\"\n[environment.card]\ndrawer = \"gpu\"\n[cases]\n"
+        "map = {scene = \"s.toml\"}\n";
+    const TemporaryFolder folder;
+    const auto file = folder.file("b.toml", described);
+    const BaselineRecords records{
+        {"map", some_record(40)}, {"map@card", some_record(41)}, {"map@gone", some_record(42)}};
+    const std::string text = lock_text(records, LockOwner::verify);
+    folder.file("b.lock", text);
+    const Baseline baseline = read_baseline(file);
+    EXPECT_EQ(baseline.records.size(), 2U);
+    EXPECT_TRUE(baseline.orphans.contains("map@gone")) << "the case does not name it";
+    EXPECT_EQ(lock_text(read_lock(baseline.lock(), LockOwner::verify), LockOwner::verify), text);
+    EXPECT_EQ(baseline.picture_of("map@card").filename(), "map@card.png");
+
+    const BaselineCase& map = baseline.cases.front();
+    const auto name_in = [&](const char* renderer, const char* version) {
+        const auto here = opengl_environment("egl", renderer, version, false);
+        const NamedEnvironment* found = baseline.environment_of(map, here);
+        return found == nullptr ? "" : found->name;
+    };
+    EXPECT_EQ(name_in("llvmpipe (LLVM 15.0.6, 256 bits)", "4.5 Mesa 22.3.6"), "mesa-22");
+    EXPECT_EQ(name_in("llvmpipe (LLVM 15.0.6, 256 bits)", "4.5 Mesa 22.30.1"), "");
+    EXPECT_EQ(name_in("NVIDIA H100", "4.6.0 NVIDIA 535"), "card");
+    EXPECT_EQ(baseline.environment_of(map, {}), nullptr) << "nothing is known of it";
+
+    EXPECT_EQ(fault("environments = [\"a\"]\n[cases]\nmap = {scene = \"s.toml\"}\n"),
+              "b.toml:1:16: environments names \"a\", which nothing describes; write "
+              "[environment.a] with its mesa, driver or drawer");
+    EXPECT_EQ(fault("[environment.a]\n[cases]\nmap = {scene = \"s.toml\"}\n"),
+              "b.toml:1:14: environment.a may be any; say its mesa, driver or drawer");
+}
+
+TEST(Baseline, AWrongCaseMayBeKeptWithItsFault) {
+    const TemporaryFolder folder;
+    const auto file = folder.file(
+        "b.toml", "[cases]\na = {scene = \"s.toml\"}\nb = {scene = \"s.toml\", stop = 3}\n");
+    const Baseline baseline = read_baseline(file, WrongCases::kept);
+    ASSERT_EQ(baseline.cases.size(), 2U);
+    EXPECT_EQ(baseline.cases[0].fault, "");
+    EXPECT_EQ(baseline.cases[1].fault,
+              file.string() + ":3:24: unknown key cases.b.stop; did you mean \"cases.b.step\"?");
+    folder.file("b.lock", "[recorded.a]\nsize = 3\n");
+    const Baseline damaged = read_baseline(file, WrongCases::kept);
+    EXPECT_NE(damaged.cases[0].fault.find("b.lock:2:8: "), std::string::npos);
 }
 
 TEST(Baseline, FaultsAreLocated) {

@@ -71,6 +71,23 @@ TEST(Verdict, StrictTakesTheSamePixelsAlone) {
         << verdict.finding;
 }
 
+TEST(Verdict, InAKnownEnvironmentItIsStrictWhateverDraws) {
+    const BaselineRecord record = record_of(expected);
+    const Image other = by_one_level(expected);
+    const Verdict differs = judge({}, &record, drawn_elsewhere(record_of(other)), other, &expected,
+                                  {"environment card", true});
+    EXPECT_EQ(differs.outcome, Outcome::differs);
+    EXPECT_TRUE(differs.finding.starts_with("strict, environment card: 0.00174 % of its pixels"))
+        << differs.finding;
+    EXPECT_TRUE(
+        differs.finding.ends_with("; Mesa 22.3.6 there, 23.1.0 here, LLVM 15.0.6 there, "
+                                  "16.0.6 here"))
+        << differs.finding;
+    const Verdict same = judge({}, &record, drawn_elsewhere(record_of(expected)), expected, nullptr,
+                               {"environment card", true});
+    EXPECT_EQ(same.finding, "strict, environment card: state and pixels as recorded");
+}
+
 TEST(Verdict, PortableTakesWhatIsTheSameToTheEyeAndSaysWhy) {
     const BaselineRecord record = record_of(expected);
     const Image other = by_one_level(expected);

@@ -132,7 +132,7 @@ TEST_P(FailingMemory, IsOneLine) {
         // is refused by name.
         const bool is_refused = ended.errors.find("fields.nc") != std::string::npos;
         const bool is_palette = ended.errors.find(".txt: cannot be read\n") != std::string::npos;
-        EXPECT_TRUE(ended.status == 1 || is_refused);
+        EXPECT_TRUE(ended.status == 3 || is_refused);
         EXPECT_EQ(count_lines(ended.errors), 1);
         EXPECT_TRUE(is_refused || is_palette || ended.errors.find("memory") != std::string::npos);
         if (HasFailure() && !tries_all_failures()) return;

@@ -112,7 +112,7 @@ TEST_F(LightFiles, FramesHaveThemBesideThem) {
 
 TEST_F(LightFiles, WhatCannotBeIsRefusedInOneLine) {
     const Ended nowhere = run({"still", "scene.toml", "-o", "no/where.exr"});
-    EXPECT_EQ(nowhere.status, 1);
+    EXPECT_EQ(nowhere.status, 3);
     EXPECT_NE(nowhere.errors.find("no/where.exr"), std::string::npos) << nowhere.errors;
     const Ended large = run({"still", "scene.toml", "-o", "large.exr", "--set", "image.width=16384",
                              "--set", "image.height=16384"});

@@ -267,7 +267,7 @@ TEST_F(RunTest, AnInterruptKeepsWhatWasMade) {
 TEST_F(RunTest, AMissingOutputDeviceIsReportedOnce) {
     write_text(folder_ / "file", "in the way");
     const Ended ended = run({}, "file/out");
-    EXPECT_EQ(ended.status, 1);
+    EXPECT_EQ(ended.status, 3);
     EXPECT_EQ(std::count(ended.errors.begin(), ended.errors.end(), '\n'), 1) << ended.errors;
     EXPECT_NE(ended.errors.find("cannot make the folder file/out"), std::string::npos)
         << ended.errors;
@@ -280,7 +280,7 @@ TEST_F(RunTest, AFullDiskKeepsEarlierFramesAndIsReportedOnce) {
     if (std::system(mount.c_str()) != 0)
         GTEST_SKIP() << "cannot mount a small tmpfs here (needs root)";
     const Ended ended = run({"--set", "run.steps=5000", "--set", "output.movie=false"}, "disk/out");
-    EXPECT_EQ(ended.status, 1);
+    EXPECT_EQ(ended.status, 3);
     EXPECT_EQ(std::count(ended.errors.begin(), ended.errors.end(), '\n'), 1) << ended.errors;
     EXPECT_NE(ended.errors.find("No space left on device"), std::string::npos) << ended.errors;
     std::size_t frames = 0;

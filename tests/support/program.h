@@ -30,6 +30,7 @@ class Program {
     Program& operator=(const Program&) = delete;
 
     void send(int signal) const;
+    [[nodiscard]] int process() const { return process_; }
     Ended wait();
 
   private:

@@ -115,7 +115,7 @@ TEST_F(SweepShardsTest, AMissingShardIsNamedAndDoneAgain) {
     killed.wait();
     fs::remove(folder_ / "out/runs/0004.json");  // had it come so far
     const Ended early = sweep("out", {"--merge"});
-    EXPECT_EQ(early.status, 1);
+    EXPECT_EQ(early.status, 3);
     EXPECT_NE(early.errors.find("shard 2/3 is missing: "), std::string::npos) << early.errors;
     EXPECT_EQ(early.errors.find("shard 1/3"), std::string::npos) << early.errors;
     EXPECT_EQ(early.errors.find("shard 3/3"), std::string::npos) << early.errors;
@@ -135,10 +135,10 @@ TEST_F(SweepShardsTest, FailedRunsAreInTheTableAsWithoutShards) {
         all.insert(all.end(), more.begin(), more.end());
         return fumon(all, folder_.path());
     };
-    EXPECT_EQ(failing("alone", {}).status, 1);
+    EXPECT_EQ(failing("alone", {}).status, 3);
     for (const char* one : {"1/2", "2/2"}) failing("a", {"--shard", one});
     const Ended ended = failing("b", {"--merge", "--from", "a"});
-    EXPECT_EQ(ended.status, 1);
+    EXPECT_EQ(ended.status, 3);
     EXPECT_NE(ended.errors.find("1 of 3 runs failed"), std::string::npos) << ended.errors;
     EXPECT_EQ(table("b"), table("alone"));
     EXPECT_NE(read_text(folder_ / "b/runs.csv").find(",failed,"), std::string::npos);
@@ -155,7 +155,7 @@ TEST_F(SweepShardsTest, TheJobsEnvironmentSaysWhichShard) {
             .status,
         0);
     const Ended merged = sweep("out", {"--merge"});
-    EXPECT_EQ(merged.status, 1);
+    EXPECT_EQ(merged.status, 3);
     EXPECT_EQ(merged.errors,
               "shard 3/3 is missing: its 2 runs, from run 5 on\n"
               "out: the table is not written, since 2 of 6 runs are missing\n");

@@ -231,7 +231,7 @@ TEST_F(SweepTest, AFailingCombinationIsToldAndTheOthersAreKept) {
     std::vector<std::string> grid = settings_that_leave_the_range();
     grid.insert(grid.end(), {"--over", "bed.high=1,999999,2"});
     const Ended ended = sweep(grid);
-    EXPECT_EQ(ended.status, 1);
+    EXPECT_EQ(ended.status, 3);
     EXPECT_EQ(ended.errors.find("run 2 (bed.high=999999, seed 5) failed: the bed height became "),
               0U)
         << ended.errors;
@@ -241,7 +241,7 @@ TEST_F(SweepTest, AFailingCombinationIsToldAndTheOthersAreKept) {
     EXPECT_LT(before_its_fault, 5U);
     EXPECT_EQ(lines(table()).size(), 1U + 2 * 5 + before_its_fault);
     const Ended again = sweep(grid);
-    EXPECT_EQ(again.status, 1) << "it is tried again";
+    EXPECT_EQ(again.status, 3) << "it is tried again";
     EXPECT_NE(again.errors.find("run 2 ("), std::string::npos) << again.errors;
     EXPECT_EQ(again.errors.find("run 1 ("), std::string::npos) << again.errors;
 }
@@ -416,7 +416,7 @@ TEST_F(SweepTest, AFullDiskFailsRunsAndLeavesNoHalfFile) {
         GTEST_SKIP() << "cannot mount a small tmpfs here (needs root)";
     const Ended ended = sweep(
         {"--seeds", "4", "--set", "run.steps=2000", "--set", "output.measure_every=1"}, "disk/out");
-    EXPECT_EQ(ended.status, 1);
+    EXPECT_EQ(ended.status, 3);
     EXPECT_NE(ended.errors.find("failed: cannot write disk/out/runs/"), std::string::npos)
         << ended.errors;
     for (const auto& entry : fs::recursive_directory_iterator(disk / "out"))

@@ -123,7 +123,8 @@ TEST_F(Verify, AFigureIsACaseOfThePortableTier) {
               "ok       b page: portable (text stands in the fonts of the machine): state and "
               "pixels as recorded\n1 of 1 as recorded\n");
     write_text(folder_ / "scene.toml", small_scene() + page + "x_logarithmic = true\n");
-    EXPECT_EQ(verify().status, 2) << "a curve has no such key";
+    const Ended curve = verify();
+    EXPECT_EQ(curve.status, 2) << "a curve has no such key: " << curve.output;
     write_text(folder_ / "scene.toml", small_scene() + "[bed]\nhigh = 0.9\n" + page);
     const Ended other = verify();
     EXPECT_EQ(other.status, 1) << other.output << other.errors;
@@ -132,7 +133,7 @@ TEST_F(Verify, AFigureIsACaseOfThePortableTier) {
     EXPECT_EQ(verify().status, 2) << "there is no figure in it";
     write_text(folder_ / "b.toml",
                "scene = \"scene.toml\"\n[cases]\npage = {figure = true, step = 3}\n");
-    EXPECT_TRUE(contains(verify().errors, "b.toml:3:1: cases.page is a figure")) << verify().errors;
+    EXPECT_TRUE(contains(verify().output, "b.toml:3:1: cases.page is a figure"));
 }
 
 TEST_F(Verify, AMovedSunShowsOnOnePage) {
@@ -215,32 +216,61 @@ TEST_F(Verify, AChangedKeptPictureIsWrongInput) {
         << gone.output;
 }
 
-TEST_F(Verify, WrongInputIsFoundBeforeAnythingIsDrawn) {
-    const auto errors = [&](const std::string& cases) {
-        write_text(folder_ / "b.toml", "[cases]\n" + cases);
-        const Ended ended = verify({"--junit", "junit.xml"});
-        EXPECT_EQ(ended.status, 2) << ended.output;
-        EXPECT_EQ(ended.output, "");
-        EXPECT_FALSE(fs::exists(folder_ / "junit.xml"));
-        return ended.errors;
-    };
-    EXPECT_EQ(errors("a = {scene = \"none.toml\"}\n"),
-              "b.toml:2:1: cases.a: none.toml is not there or is not sound; `fumon check` with its "
-              "path, or --trust here, says more\n");
-    EXPECT_EQ(errors("a = {scene = \"scene.toml\", settings = [\"sun.azimut=3\"]}\n"),
-              "b.toml:2:1: cases.a: settings.1:1: unknown key sun.azimut; did you mean "
-              "\"sun.azimuth\"?\n");
-    EXPECT_EQ(errors("a = {scene = \"scene.toml\", stop = 3}\n"),
-              "b.toml:2:28: unknown key cases.a.stop; did you mean \"cases.a.step\"?\n");
+TEST_F(Verify, AWrongCaseIsAnErrorOfItsOwnAndTheOthersAreCompared) {
+    write_text(folder_ / "b.toml",
+               "[cases]\na = {scene = \"none.toml\"}\n"
+               "b = {scene = \"scene.toml\", settings = [\"sun.azimut=3\"]}\n"
+               "c = {scene = \"scene.toml\", stop = 3}\n"
+               "d = {scene = \"scene.toml\"}\n");
+    const Ended wrong = verify({"--junit", "junit.xml"});
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_EQ(wrong.errors, "");
+    EXPECT_EQ(wrong.output,
+              "WRONG    b a: b.toml:2:1: cases.a: none.toml is not there or is not sound; `fumon "
+              "check` with its path, or --trust here, says more\n"
+              "WRONG    b b: b.toml:3:1: cases.b: settings.1:1: unknown key sun.azimut; did you "
+              "mean \"sun.azimuth\"?\n"
+              "WRONG    b c: b.toml:4:28: unknown key cases.c.stop; did you mean "
+              "\"cases.c.step\"?\n"
+              "MISSING  b d: nothing is recorded; look at the picture, then `fumon verify "
+              "--update`\n"
+              "0 of 4 as recorded; see verify-out/index.html\n");
+    EXPECT_TRUE(contains(read_text(folder_ / "junit.xml"), "failures=\"1\" errors=\"3\""));
+    EXPECT_TRUE(contains(read_text(folder_ / "verify-out/index.html"), "b.toml:4:28: unknown key"));
+    EXPECT_EQ(verify({"--update"}).status, 2);
+    EXPECT_TRUE(contains(read_text(folder_ / "b.lock"), "[recorded.d]")) << "others are recorded";
+}
+
+TEST_F(Verify, ABaselineThatCannotBeReadIsAnErrorOfItsOwn) {
+    accept();
+    write_text(folder_ / "bad.toml", "[cases\n");
+    const Ended bad = verify({"bad.toml", "no.toml", "--junit", "junit.xml"});
+    EXPECT_EQ(bad.status, 2);
+    EXPECT_TRUE(contains(bad.output, "WRONG    bad baseline: bad.toml:1:")) << bad.output;
+    EXPECT_TRUE(contains(bad.output, "WRONG    no baseline: no.toml: ")) << bad.output;
+    EXPECT_TRUE(contains(bad.output, "2 of 4 as recorded")) << bad.output;
+    EXPECT_TRUE(
+        contains(read_text(folder_ / "junit.xml"), "tests=\"4\" failures=\"0\" errors=\"2\""));
+    const std::string lock = read_text(folder_ / "b.lock");
+    write_text(folder_ / "b.lock", lock.substr(0, lock.size() / 2));
+    const Ended damaged = verify();
+    EXPECT_EQ(damaged.status, 2);
+    EXPECT_TRUE(contains(damaged.output, "WRONG    b map: b.lock:")) << damaged.output;
+}
+
+TEST_F(Verify, WhatBelongsToNoCaseIsAnErrorUntilItIsRemoved) {
     write_text(folder_ / "b.toml", "[cases]\none = {scene = \"scene.toml\"}\n");
     accept();
     write_text(folder_ / "b.toml", [&] {
         std::string text = read_text(folder_ / "b.toml");
         return text.replace(text.find("one = {"), 7, "two = {");
     }());
-    EXPECT_EQ(verify().errors,
-              "b.lock: recorded.one belongs to no case; bring its case back, or let `fumon verify "
-              "--update` remove what is recorded\n");
+    const Ended orphan = verify();
+    EXPECT_EQ(orphan.status, 2);
+    EXPECT_TRUE(contains(orphan.output,
+                         "WRONG    b one: b.lock: recorded.one belongs to no case; bring its case "
+                         "back, or let `fumon verify --update` remove what is recorded\n"))
+        << orphan.output;
     const Ended update = verify({"--update"});
     EXPECT_TRUE(contains(update.output, "removed  b one: it has no case any more\n"))
         << update.output;

@@ -13,6 +13,7 @@
 #include <new>
 #include <string>
 
+#include "base/error.h"
 #include "base/platform.h"
 #include "files/library_at_work.h"
 #include "gl/functions.h"
@@ -35,8 +36,6 @@ constexpr std::array<Crash, 5> crashes{{{SIGSEGV, "segmentation fault"},
                                         {SIGILL, "illegal instruction"},
                                         {SIGABRT, "abort"}}};
 
-constexpr int failed_while_working = 1;
-
 // A handler may neither allocate nor format: all is ready before.
 std::array<std::string, crashes.size()> lines;
 bool memory_is_limited = false;
@@ -46,14 +45,14 @@ extern "C" void tell_crash(int signal) {
     if (const char* library_line = line_of_library_at_work()) {
         [[maybe_unused]] const ssize_t written =
             ::write(STDERR_FILENO, library_line, std::strlen(library_line));
-        ::_exit(failed_while_working);
+        ::_exit(could_not_work);
     }
     for (std::size_t i = 0; i < crashes.size(); ++i) {
         if (crashes[i].signal != signal) continue;
         [[maybe_unused]] const ssize_t written =
             ::write(STDERR_FILENO, lines[i].data(), lines[i].size());
     }
-    if (memory_is_limited) ::_exit(failed_while_working);
+    if (memory_is_limited) ::_exit(could_not_work);
 }
 
 void note_end_of_memory() {
@@ -65,7 +64,7 @@ void note_end_of_memory() {
 [[noreturn]] void tell_out_of_memory() {
     [[maybe_unused]] const ssize_t written =
         ::write(STDERR_FILENO, out_of_memory.data(), out_of_memory.size());
-    ::_exit(failed_while_working);
+    ::_exit(could_not_work);
 }
 
 /// Functions that promise to throw nothing ask for memory, too.

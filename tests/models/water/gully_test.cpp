@@ -288,7 +288,7 @@ TEST(Gully, SaysWhereAndWhenAValueStoppedBeingOne) {
         EXPECT_NE(line.find(" at cell ("), std::string::npos) << line;
         EXPECT_NE(line.find("t = "), std::string::npos) << line;
         EXPECT_NE(line.find("try a smaller"), std::string::npos) << line;
-        EXPECT_EQ(error.exit_status(), 1);
+        EXPECT_EQ(error.exit_status(), 3);
     }
 }
 

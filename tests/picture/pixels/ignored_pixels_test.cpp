@@ -165,7 +165,7 @@ TEST(Verdict, IgnoredPixelsMustBeThoseOfTheRecord) {
     record.fingerprint = fingerprint_of(blanked(image, ignored));
     record.ignored = ignored.hash();
     BaselineRecord present = record;
-    const Verdict good = judge(one, &record, present, image, nullptr, ignored);
+    const Verdict good = judge(one, &record, present, image, nullptr, {}, ignored);
     EXPECT_EQ(good.outcome, Outcome::as_recorded);
     EXPECT_TRUE(good.finding.ends_with("7.72 % of the picture ignored")) << good.finding;
     present.ignored = "";
