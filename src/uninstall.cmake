@@ -1,4 +1,4 @@
-# Takes away what `cmake --install` wrote, by the lists that it leaves in the build folder, under $DESTDIR where that is set:
+# Takes away what `cmake --install` wrote, by the list that it leaves in the build folder, under $DESTDIR where that is set:
 #   cmake -D BUILD=build-folder -P uninstall.cmake
 # Folders of fumon's own go where they are empty then; those of the system stay.
 
@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.25)
 
 # Each line by itself: as a list of CMake, paths with semicolons or brackets would be torn.
 function(remove_listed manifest)
-    file(READ ${manifest} left)
+    file(READ "${manifest}" left)
     string(APPEND left "\n")
     while(NOT left STREQUAL "")
         string(FIND "${left}" "\n" end)
@@ -36,16 +36,11 @@ function(remove_listed manifest)
     set(removed ${removed} PARENT_SCOPE)
 endfunction()
 
+# Lists of components are not asked: cpack leaves such, too, of files that it packed and did not install.
 set(removed 0)
-set(found OFF)
-foreach(part IN ITEMS "" _program _data _pictures _bmi _python)
-    set(manifest "${BUILD}/install_manifest${part}.txt")
-    if(EXISTS "${manifest}")
-        set(found ON)
-        remove_listed("${manifest}")
-    endif()
-endforeach()
-if(NOT found)
-    message(FATAL_ERROR "${BUILD} has no install_manifest.txt: nothing was installed from there")
+set(manifest "${BUILD}/install_manifest.txt")
+if(NOT EXISTS "${manifest}")
+    message(FATAL_ERROR "${BUILD} has no install_manifest.txt: nothing was installed from there as a whole")
 endif()
+remove_listed("${manifest}")
 message("${removed} files removed")
