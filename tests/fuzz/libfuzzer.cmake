@@ -13,7 +13,7 @@ set(parts run/run_checkpoint run/recorder run/written_outputs run/run_folder run
           outputs/output_claims outputs/own_file figure/canvas/figure_metadata paper/figure_origin paper/figure_sources
           paper/figure_curve
           film/film_read film/film_texts film/timeline film/script/film_keys film/script/film_check film/script/film_sizes
-          sweep/sweep_axis sweep/sweep_manifest sweep/sweep_table render/colour/palette)
+          sweep/sweep_axis sweep/sweep_manifest sweep/sweep_table)
 foreach(part IN LISTS parts)
     get_filename_component(room ${part} DIRECTORY)
     list(APPEND part_sources ${CMAKE_SOURCE_DIR}/src/${part}.cpp)

@@ -21,13 +21,17 @@ inline std::optional<Scene> read_scene_text(const std::string& text,
 }
 
 /// Reads a scene without a terrain file and of few cells; none where it is another.
-inline std::optional<Scene> read_small_scene(const std::uint8_t* data, std::size_t size) {
+inline std::optional<Scene> read_small_scene(const std::string& text) {
     constexpr std::int64_t most_cells = 1024;
-    std::optional<Scene> scene = read_scene_text(std::string(as_text(data, size)));
+    std::optional<Scene> scene = read_scene_text(text);
     if (!scene || bed_kind(*scene) == BedKind::file || scene->grid.nx > most_cells ||
         scene->grid.ny > most_cells || scene->grid.nx * scene->grid.ny > most_cells)
         return std::nullopt;
     return scene;
+}
+
+inline std::optional<Scene> read_small_scene(const std::uint8_t* data, std::size_t size) {
+    return read_small_scene(std::string(as_text(data, size)));
 }
 
 }  // namespace fumon::fuzz

@@ -47,7 +47,7 @@ fuzz() {
     read -ra seeds <<< "$(seeds_of "$target")"
     case $target in
         scene* | film | settings | picture_text | sweep_axis | figure_curve) options=("-dict=$found/scene.dict") ;;
-        csv_table | wind_table | sweep_table | avalanche_table | esri_ascii | palette | baseline)
+        csv_table | wind_table | sweep_table | avalanche_table | esri_ascii | terrain_drawn | palette | baseline)
             options=(-dict=tests/fuzz/numbers.dict) ;;
         run_json | sweep_json | snapshot_outline | figure_metadata) options=("-dict=$found/json.dict") ;;
     esac

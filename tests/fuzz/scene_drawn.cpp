@@ -1,60 +1,12 @@
 // Scenes that are taken and have a small grid: the smallest picture of their first bed.
 
-#include "base/snapshots/ground_range.h"
-#include "base/worker_pool.h"
-#include "gl/context.h"
-#include "models/registry.h"
+#include "draw_small.h"
 #include "read_scene.h"
-#include "render/person_layer.h"
-#include "render/renderer.h"
-#include "render/streamers/blown_sand.h"
-#include "render/track_layer.h"
-#include "render/view/lens.h"
-#include "render/view/water.h"
-#include "scene/initial_bed.h"
-
-namespace fumon::fuzz {
-namespace {
-
-/// What takes seconds and shows no more.
-View smallest(View view) {
-    view.image.width = 16;
-    view.image.height = 16;
-    view.image.supersampling = 1;
-    if (view.camera.has_lens()) view.camera.lens_samples = {"", 4.0};
-    return view;
-}
-
-void draw(const Scene& scene) {
-    static WorkerPool pool(1, "fuzz");
-    static const auto context = gl::Context::create(gl::Backend::automatic);
-    const InitialBed initial = make_initial_bed(scene);
-    if (!beyond_ground(initial.bed, initial.scale).empty()) return;  // as a run refuses it
-    const auto model =
-        find_model(scene.model.name)
-            ->make(scene.model.parameters, {initial.bed, initial.nodata, initial.scale,
-                                            static_cast<std::uint64_t>(scene.seed), pool, false});
-    const Snapshot first = model->snapshot();
-    const View view = smallest(scene.view);
-    if (colours_water(view.look.colour_by) && !has_water(first)) return;
-    if (view.look.mark != Marking::none && marked_field(view.look.mark, first) == nullptr) return;
-    check_lens(view, first);
-    check_persons(view, first);
-    check_tracks(view, first);
-    check_streamers(view, first);
-    if (first.section && view.look.mode == ViewMode::figure) return;  // no 3-D view
-    Renderer renderer(*context, view, first, scene.run.steps, pool);
-    if (renderer.render(first).rgb.size() != 3UL * 16 * 16)
-        broken_promise("a picture has its size", "");
-}
-
-}  // namespace
-}  // namespace fumon::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace fumon;
     const auto scene = fuzz::read_small_scene(data, size);
     if (!scene) return -1;
-    fuzz::taken([&] { fuzz::draw(*scene); });
+    fuzz::taken([&] { fuzz::draw_small(*scene, make_initial_bed(*scene)); });
     return 0;
 }

@@ -6,7 +6,7 @@
 #
 #     FUMON_ARM64=/var/tmp/arm64 tests/reach/arm64.sh .
 #
-# FUMON_ARM64_TESTS chooses tests as --gtest_filter does; by default all but those that the emulator takes minutes for.
+# FUMON_ARM64_TESTS chooses tests as --gtest_filter does; by default all but one that limits memory, which the emulator does not.
 set -euo pipefail
 sources=$(realpath "$1")
 
@@ -44,7 +44,8 @@ if [ ! -e "$place/unpacked" ]; then
     compiler=$(aarch64-linux-gnu-g++ -dumpversion)
     arm64_apt update > "$place/apt.log"
     arm64_apt install -y --download-only --no-install-recommends libc6-dev "libstdc++-${compiler%%.*}-dev" libfmt-dev libhwy-dev libssl-dev \
-        libpng-dev libnetcdf-dev libhdf5-dev libudunits2-dev libtomlplusplus-dev nlohmann-json3-dev libeigen3-dev libgtest-dev >> "$place/apt.log" ||
+        libpng-dev libnetcdf-dev libhdf5-dev libudunits2-dev libtomlplusplus-dev nlohmann-json3-dev libeigen3-dev libglm-dev \
+        libgtest-dev >> "$place/apt.log" ||
         { tail -n 20 "$place/apt.log"; exit 1; }
     unpack
     touch "$place/unpacked"
@@ -65,11 +66,13 @@ emulate "$tests/fumon_states" "$sources/tests/run/state_hashes.txt" "$sources/as
 differ=$(grep -c DIFFERS "$place/states.txt" || true)
 only=$(grep DIFFERS "$place/states.txt" | grep -vc '^air-' || true)
 # The air's are known to: Eigen multiplies by fused instructions there.
-[ "$only" = 0 ] && ! grep -vqE 'as recorded|DIFFERS|of .* met' "$place/states.txt" || failed="records"
+if [ "$only" != 0 ] || ! grep -q ' of .* met$' "$place/states.txt" || grep -vqE 'as recorded$|DIFFERS|of .* met$' "$place/states.txt"; then
+    failed="records"
+fi
 echo "$differ differ, $only of them not the air's"
 
 for group in numbers models; do
     echo "== tests of $group"
-    emulate "$tests/fumon_${group}_tests" --gtest_brief=1 --gtest_filter="${FUMON_ARM64_TESTS:-*}" || failed="$failed $group"
+    emulate "$tests/fumon_${group}_tests" --gtest_brief=1 --gtest_filter="${FUMON_ARM64_TESTS:--WorkerPool.ThatCannotStartAllItsThreadsSaysSoAndEnds}" || failed="$failed $group"
 done
 [ -z "$failed" ] || { echo "FAILED: $failed"; exit 1; }
