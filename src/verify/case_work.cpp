@@ -8,18 +8,12 @@
 #include "base/give_up.h"
 #include "base/stopwatch.h"
 #include "files/hash.h"
-#include "picture/png.h"
 #include "run/terminal/interrupt.h"
 #include "verify/record_choice.h"
 
 namespace fumon {
 
 namespace {
-
-std::string as_png(const Image& image) {
-    const auto bytes = encode_png(image, screen_dots_per_inch, own_text());
-    return {bytes.begin(), bytes.end()};
-}
 
 class CaseWork {
   public:

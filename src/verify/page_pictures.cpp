@@ -21,12 +21,12 @@ bool same_size(const Image& first, const Image& second) {
     return first.width == second.width && first.height == second.height;
 }
 
+}  // namespace
+
 std::string as_png(const Image& image) {
     const auto bytes = encode_png(image, screen_dots_per_inch, own_text());
     return {bytes.begin(), bytes.end()};
 }
-
-}  // namespace
 
 std::vector<PagePicture> page_pictures(const Image& got, const BaselineRecord* record,
                                        const Image* expected, const IgnoredPixels& ignored) {

@@ -29,6 +29,9 @@ inline constexpr std::string_view difference_kind = "difference";
 inline constexpr std::array<std::string_view, 4> picture_kinds{expected_kind, got_kind,
                                                                thumbnail_kind, difference_kind};
 
+/// A picture as fumon's own PNG.
+std::string as_png(const Image& image);
+
 /// What was got and, where `record` is not null, what was expected and where they differ: of the
 /// kept picture, else of the thumbnails. On the page and in the difference, ignored pixels are
 /// hatched.

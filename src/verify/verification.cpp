@@ -70,6 +70,12 @@ class Verification {
         work_.pinned = work_.pinned || any_pinned(suites_);
         if (work_.verbosity == Verbosity::normal) work_.verbosity = Verbosity::quiet;
         prepare_drawing(work_);
+        if (const std::string why = why_processor_is_not_pinned(work_);
+            !why.empty() && !options_.quietly()) {
+            fmt::print(stderr, "{}: {}\n",
+                       options_.update ? "recorded as not pinned" : "the portable tier compares",
+                       why);
+        }
     }
 
     int run() {

@@ -208,13 +208,13 @@ TEST(Renderer, DrawsEverySizeAndProjection) {
     }
 }
 
-struct PixelBox {
+struct PixelRectangle {
     int left, top, right, bottom;  // right and bottom lie beyond it
 };
 
 /// Around all that is not the figure's white paper.
-PixelBox drawn_box(const Image& image) {
-    PixelBox box{image.width, image.height, 0, 0};
+PixelRectangle drawn_box(const Image& image) {
+    PixelRectangle box{image.width, image.height, 0, 0};
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             const std::uint8_t* pixel = image.row(y) + 3 * static_cast<std::size_t>(x);
@@ -232,7 +232,7 @@ TEST(Renderer, DrawsNarrowAndTinyBeds) {
         view.look.mode = ViewMode::figure;
         for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
             view.camera.projection = projection;
-            const PixelBox box = drawn_box(picture(view, wavy_bed(nx, ny)));
+            const PixelRectangle box = drawn_box(picture(view, wavy_bed(nx, ny)));
             EXPECT_TRUE(box.left > 0 && box.top > 0 && box.right < 640 && box.bottom < 480)
                 << nx << " x " << ny << " is cut off";
             EXPECT_GT(std::max((box.right - box.left) / 640.0, (box.bottom - box.top) / 480.0),
@@ -243,7 +243,7 @@ TEST(Renderer, DrawsNarrowAndTinyBeds) {
         view.camera.margin = 0.0;
         const double deep = nx > 1 && ny == 1 ? 0.25 * nx : ny;  // a profile becomes a strip
         const double site = std::min(640.0 / nx, 480.0 / deep);
-        const PixelBox box = drawn_box(picture(view, wavy_bed(nx, ny)));
+        const PixelRectangle box = drawn_box(picture(view, wavy_bed(nx, ny)));
         EXPECT_NEAR(box.right - box.left, nx * site, 2.0) << nx << " x " << ny;
         EXPECT_NEAR(box.bottom - box.top, deep * site, 2.0) << nx << " x " << ny;
         EXPECT_NEAR(0.5 * (box.left + box.right), 320.0, 1.0) << nx << " x " << ny;

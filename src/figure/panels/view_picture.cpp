@@ -12,7 +12,7 @@ namespace fumon {
 namespace {
 
 /// Pixels: columns from left to before right, rows likewise.
-struct PixelBox {
+struct PixelRectangle {
     int left = 0;
     int right = 0;
     int top = 0;
@@ -20,8 +20,8 @@ struct PixelBox {
 };
 
 /// What differs from the first pixel by more than rounding; everything where nothing does.
-PixelBox content_of(const Image& image) {
-    PixelBox box{image.width, 0, image.height, 0};
+PixelRectangle content_of(const Image& image) {
+    PixelRectangle box{image.width, 0, image.height, 0};
     const std::uint8_t* ground = image.row(0);
     constexpr int rounding = 3;
     for (int y = 0; y < image.height; ++y) {
@@ -37,7 +37,7 @@ PixelBox content_of(const Image& image) {
     return box;
 }
 
-Image cut(const Image& image, const PixelBox& box) {
+Image cut(const Image& image, const PixelRectangle& box) {
     Image part(box.right - box.left, box.bottom - box.top);
     for (int y = 0; y < part.height; ++y)
         std::copy_n(image.row(box.top + y) + std::ptrdiff_t{3} * box.left, 3 * part.width,
@@ -68,7 +68,7 @@ ViewPicture view_picture(const View& view, const Image& image, const Snapshot& f
     picture.in_metres = first.scale.in_metres;
     picture.exaggeration = exaggeration;
     const Image on_paper = laid_on(image, 255);
-    const PixelBox box = content_of(on_paper);
+    const PixelRectangle box = content_of(on_paper);
     picture.image = cut(on_paper, box);
     const double width = picture.image.width;
     const double height = picture.image.height;
