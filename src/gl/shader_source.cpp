@@ -39,6 +39,13 @@ std::optional<Declaration> uniform_in(std::string_view line) {
     return Declaration{words.substr(0, gap), trimmed(words.substr(gap))};
 }
 
+/// A number as GLSL takes it for one that is not whole: "2.0".
+std::string floating_text(float value) {
+    std::string text = fmt::format("{}", value);
+    if (text.find_first_of(".en") == std::string::npos) text += ".0";
+    return text;
+}
+
 class Assembler {
   public:
     Assembler(const ShaderReader& read, LineNames names, const Constants& constants)
@@ -79,8 +86,8 @@ class Assembler {
         if (!declared) return line;
         for (const Constant& constant : constants_) {
             if (constant.uniform != declared->name) continue;
-            return fmt::format("const {0} {1} = {0}({2:#});", declared->type, declared->name,
-                               constant.value);
+            return fmt::format("const {0} {1} = {0}({2});", declared->type, declared->name,
+                               floating_text(constant.value));
         }
         return line;
     }

@@ -20,10 +20,17 @@ struct Target {
     std::int64_t bit;
 };
 
+// What every x86-64 processor has is a target of its own from Highway 1.0.4 on.
+#ifdef HWY_SSE2
+constexpr std::int64_t of_every_processor = HWY_SCALAR | HWY_EMU128 | HWY_SSE2;
+#else
+constexpr std::int64_t of_every_processor = HWY_SCALAR | HWY_EMU128;
+#endif
+
 /// The best one first.
 constexpr std::array known{Target{"avx512", HWY_AVX3}, Target{"avx2", HWY_AVX2},
                            Target{"sse4", HWY_SSE4}, Target{"neon", HWY_NEON},
-                           Target{"plain", HWY_SCALAR | HWY_EMU128}};
+                           Target{"plain", of_every_processor}};
 
 /// Of the processor. Asked once: with each question Highway goes back to the best target.
 std::int64_t supported() {

@@ -10,7 +10,7 @@
 namespace fumon::vectors {
 
 /// The targets that this processor has, the best one first: of "avx512", "avx2", "sse4" and "plain"
-/// (compiled without vector instructions of its own) on x86-64, "neon" on arm64.
+/// (what every processor has) on x86-64, "neon" on arm64.
 std::vector<std::string> targets();
 
 /// The target in use.

@@ -177,7 +177,9 @@ TEST(MachineCode, HotLoopsWorkOnWholeVectorsAndFuseNothing) {
             const Arithmetic& there = found[name];
             SCOPED_TRACE(name);
             EXPECT_GT(there.on_vectors, 0);
-            EXPECT_LE(there.on_less, 2 * there.on_vectors);
+            // The largest of a vector's numbers is found by halves, by GCC 14 for each way out.
+            const int halves = loop == "fastest(" ? 6 : 2;
+            EXPECT_LE(there.on_less, halves * there.on_vectors);
             EXPECT_EQ(there.fused, 0);
         }
     }
