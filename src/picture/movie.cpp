@@ -165,7 +165,7 @@ void Movie::Parts::open_codec(AVRational rate) {
     const AVCodec* encoder = libav().avcodec_find_encoder_by_name(name.c_str());
     if (encoder == nullptr) {
         fail(
-            fmt::format("libavcodec has no encoder {} for {}; install Debian's libavcodec59 or an "
+            fmt::format("libavcodec has no encoder {} for {}; install Debian's libavcodec, or an "
                         "FFmpeg built with it, or write no such movie",
                         name, coding.format.name));
     }

@@ -58,6 +58,15 @@ Located located(std::string_view place, const fs::path& checkout) {
     return found;
 }
 
+/// Where the fault of a case lies: what the finding of wrong input begins with, else the case.
+std::string_view place_of(const Annotation& one) {
+    if (one.verdict.outcome != Outcome::wrong_input) return one.place;
+    const std::string_view finding = one.verdict.finding;
+    const std::string_view head = finding.substr(0, finding.find(": "));
+    std::string_view left = head;
+    return cut_number(left) > 0 && cut_number(left) > 0 ? head : std::string_view(one.place);
+}
+
 std::string with(std::string_view text, std::string_view letters, const char* const* instead) {
     std::string written;
     for (const char letter : text) {
@@ -118,7 +127,7 @@ std::string github_annotations(std::span<const Annotation> cases, const fs::path
     std::string text;
     for (const Annotation& one : cases) {
         if (passes(one)) continue;
-        text += command(located(one.place, checkout),
+        text += command(located(place_of(one), checkout),
                         fmt::format("{}: {}", one.name, name_of(one.verdict.outcome)),
                         one.verdict.finding);
     }
@@ -173,7 +182,7 @@ std::string gitlab_report(std::span<const Annotation> cases, const fs::path& che
     nlohmann::ordered_json report = nlohmann::ordered_json::array();
     for (const Annotation& one : cases) {
         if (passes(one)) continue;
-        const Located place = located(one.place, checkout);
+        const Located place = located(place_of(one), checkout);
         const std::string outcome = name_of(one.verdict.outcome);
         nlohmann::ordered_json issue;
         issue["description"] = fmt::format("{}: {}", one.name, one.verdict.finding);

@@ -17,7 +17,7 @@ printf '[model]\nname = "sand"\n[grid]\nnx = 48\nny = 32\n[run]\nsteps = 6\n[loo
 cp "$here/share/fumon/assets/palettes/viridis.txt" "$here/share/fumon/assets/palettes/only-here.txt"
 cd /
 
-"$cmake" -S "$root/example" -B "$root/example/build" -DCMAKE_PREFIX_PATH="$here" > "$root/log" 2>&1 || { cat "$root/log"; exit 1; }
+"$cmake" -S "$root/example" -B "$root/example/build" -G Ninja -DCMAKE_PREFIX_PATH="$here" > "$root/log" 2>&1 || { cat "$root/log"; exit 1; }
 "$cmake" --build "$root/example/build" > "$root/log" 2>&1 || { cat "$root/log"; exit 1; }
 [ "$("$root/example/build/coupled" only-here)" = "fumon sand: 1536 cells at time 5 1" ]
 "$root/example/build/coupled" terada-ripplez 2> "$root/said" && { echo "an unknown scene was taken"; exit 1; }

@@ -1,8 +1,11 @@
-// What pinning does not override: the processor. Each is emulated, which takes seconds a picture.
+// What pinning does not override: the processor. Each is emulated, which takes a minute or two a
+// picture, so that it is done where FUMON_EMULATOR names the emulator (Debian's qemu-user has
+// /usr/bin/qemu-x86_64).
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <cstdlib>
+#include <string>
 
 #include "base/error.h"
 #include "picture/png.h"
@@ -12,7 +15,6 @@
 namespace fumon::test {
 namespace {
 
-constexpr const char* emulator = "/usr/bin/qemu-x86_64";
 constexpr const char* needed =
     "pinned pictures need SSE4.1 (processors from 2008 on), which this processor lacks\n";
 
@@ -23,7 +25,9 @@ class PinnedOnProcessors : public ::testing::Test {
 #if !defined(__x86_64__) || defined(FUMON_SANITIZED)
         GTEST_SKIP() << "the emulator runs fumon for x86-64, without sanitizers";
 #endif
-        if (!std::filesystem::exists(emulator)) GTEST_SKIP() << "qemu-user is not installed";
+        const char* emulator = std::getenv("FUMON_EMULATOR");
+        if (emulator == nullptr) GTEST_SKIP() << "FUMON_EMULATOR names no emulator";
+        emulator_ = emulator;
         write_text(folder_ / "scene.toml",
                    "seed = 5\n[model]\nname = \"sand\"\n[grid]\nnx = 48\nny = 40\n[run]\nsteps = "
                    "8\n[image]\nwidth = 200\nheight = 120\n");
@@ -35,7 +39,7 @@ class PinnedOnProcessors : public ::testing::Test {
     Ended run(std::vector<std::string> arguments, const std::string& processor = "") {
         if (processor.empty()) return fumon(arguments, folder_.path());
         arguments.insert(arguments.begin(), {"-cpu", processor, FUMON_PROGRAM});
-        return fumon(arguments, folder_.path(), {}, emulator);
+        return fumon(arguments, folder_.path(), {}, emulator_);
     }
 
     PictureOrigin still(const std::string& name, const std::string& processor = "") {
@@ -45,6 +49,7 @@ class PinnedOnProcessors : public ::testing::Test {
     }
 
     ScratchFolder folder_;
+    std::string emulator_;
     Ended ended_;
 };
 

@@ -397,9 +397,11 @@ TEST_F(ResumeTest, AMovieIsMadeAgainFromItself) {
         << odd.errors;
 
     std::string other = read_text(out() / "movie.mp4");
+    const std::size_t encoder = other.find("libavcodec ");
+    ASSERT_NE(encoder, std::string::npos);
+    const std::string newer = other.substr(encoder, std::string("libavcodec 5").size());
     for (const auto& [then, now] :
-         {std::pair<std::string, std::string>{"libavcodec 5", "libavcodec 4"},
-          {"llvmpipe", "softpipe"}}) {
+         {std::pair<std::string, std::string>{newer, "libavcodec 4"}, {"llvmpipe", "softpipe"}}) {
         ASSERT_NE(other.find(then), std::string::npos);
         other.replace(other.find(then), then.size(), now);
     }
