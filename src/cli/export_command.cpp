@@ -309,7 +309,7 @@ Snapshot snapshot_of(const ExportOptions& options, const std::string& input) {
 std::string state_file(const ExportOptions& options) {
     const std::string input = terrain_argument(options.input);
     if (options.step == last_record) return last_state_of(input).string();
-    const std::string file = state_of_step(input, options.step).string();
+    std::string file = state_of_step(input, options.step).string();
     if (std::error_code fault; std::filesystem::is_directory(input, fault)) return file;
     if (is_fields_file(file)) return file;
     throw InputError(fmt::format(

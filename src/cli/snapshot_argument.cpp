@@ -61,7 +61,7 @@ fs::path state_of_step(const fs::path& run, std::int64_t step) {
     if (fs::exists(run / "fields.nc", fault)) return run / "fields.nc";
     const fs::path bed = run / "beds" / fmt::format("bed_{:08}", step);
     for (const char* ending : {".asc", ".tif"}) {
-        if (const fs::path file = bed.string() + ending; fs::exists(file, fault)) return file;
+        if (fs::path file = bed.string() + ending; fs::exists(file, fault)) return file;
     }
     throw InputError(
         fmt::format("--step {}: {} holds neither fields.nc nor {}.asc; it has the "
