@@ -64,7 +64,9 @@ std::string_view place_of(const Annotation& one) {
     const std::string_view finding = one.verdict.finding;
     const std::string_view head = finding.substr(0, finding.find(": "));
     std::string_view left = head;
-    return cut_number(left) > 0 && cut_number(left) > 0 ? head : std::string_view(one.place);
+    const int column = cut_number(left);
+    const int line = cut_number(left);
+    return line > 0 && column > 0 ? head : std::string_view(one.place);
 }
 
 std::string with(std::string_view text, std::string_view letters, const char* const* instead) {

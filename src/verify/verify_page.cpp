@@ -168,6 +168,7 @@ std::filesystem::path VerifyPage::file_of(const std::string& suite, const std::s
 std::vector<std::filesystem::path> VerifyPage::files_of(const std::string& suite,
                                                         const std::string& name) const {
     std::vector<std::filesystem::path> files;
+    files.reserve(picture_kinds.size() + 1);
     for (const std::string_view kind : picture_kinds) files.push_back(file_of(suite, name, kind));
     files.push_back(got_record_file(folder_ / suite, name));
     return files;
