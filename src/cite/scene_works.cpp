@@ -60,7 +60,8 @@ constexpr std::array<CitingRule, 42> rules{{
     {"farr_2007", "", "terrain", "front_range_hill.asc", "terrain"},
 }};
 
-/// The scheme of water that a scene's keys choose; empty of other models.
+/// The scheme of water that a scene's keys choose, by the rule of start_of_gully(), as far as keys
+/// alone tell; empty of other models.
 std::string_view scheme_of(const KeyTable& table, const Scene& scene) {
     const Key* key = table.find("model.scheme");
     const bool water = scene.model.name == "water";
@@ -74,13 +75,13 @@ std::string_view scheme_of(const KeyTable& table, const Scene& scene) {
         const TableList* list = table.find_list(path);
         return list == nullptr || list->size() == 0;
     };
-    const auto closes = [&](const char* edges) {
-        return is(edges, "\"auto\"") || is(edges, "\"periodic\"");
+    const bool from_file = !scene.bed.file.empty();
+    const auto is_periodic = [&](const char* edges) {
+        return is(edges, "\"periodic\"") || (is(edges, "\"auto\"") && !from_file && none("edge"));
     };
-    const bool plane = !water && scene.bed.file.empty() && closes("model.edges_x") &&
-                       closes("model.edges_y") && none("edge") && none("map") &&
-                       is("model.slope_x", "0.0") && !is("model.friction", "\"manning\"") &&
-                       !is("model.transport", "\"loads\"");
+    const bool plane = !water && is_periodic("model.edges_x") && is_periodic("model.edges_y") &&
+                       none("map") && is("model.slope_x", "0.0") &&
+                       !is("model.friction", "\"manning\"") && !is("model.transport", "\"loads\"");
     return plane ? cip : finite_volume;
 }
 

@@ -6,40 +6,23 @@
 #
 #     FUMON_ARCHIVE=build/package/out/fumon-0.3.0-x86_64.tar.xz FUMON_BARE_SYSTEMS="bookworm trixie/gdal" tests/reach/archive.sh
 #
-# FUMON_BARE_MIRROR is where packages come from. FUMON_BARE_FOLDER is where the systems are made; those that lie there are used.
+# Systems that lie in FUMON_BARE_FOLDER are used; bare_systems says more.
 set -euo pipefail
-mirror=${FUMON_BARE_MIRROR:-http://deb.debian.org/debian}
-skip() { echo "skipped: $*"; exit 77; }
-[ -n "${FUMON_BARE_SYSTEMS:-}" ] || skip "FUMON_BARE_SYSTEMS names no system"
+. "$(dirname "$0")/bare_systems"
 [ -n "${FUMON_ARCHIVE:-}" ] || skip "FUMON_ARCHIVE names no archive"
-[ "$(id -u)" -eq 0 ] || skip "only root makes systems in folders"
-command -v debootstrap > /dev/null || skip "debootstrap is not installed"
 archive=$(realpath "$FUMON_ARCHIVE")
-
-place=${FUMON_BARE_FOLDER:-$(mktemp -d)}
-[ -n "${FUMON_BARE_FOLDER:-}" ] || trap 'rm -rf "$place"' EXIT
-
-in_system() {
-    local tree=$1
-    shift
-    unshare --mount --fork --pid --kill-child sh -c '
-        tree=$1; shift
-        mount --make-rprivate / && mount -t proc proc "$tree/proc" && mount --bind /dev "$tree/dev" && exec chroot "$tree" "$@"' \
-        sh "$tree" env -i HOME=/root TERM=dumb DEBIAN_FRONTEND=noninteractive PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"
-}
 
 failed="" first=""
 for system in $FUMON_BARE_SYSTEMS; do
     release=${system%%/*}
     tree=$place/$release
     if [ ! -x "$tree/bin/sh" ]; then
-        debootstrap --variant=minbase "$release" "$tree" "$mirror" > "$place/debootstrap.log" || { cat "$place/debootstrap.log"; exit 1; }
-        cp /etc/resolv.conf "$tree/etc/"
+        make_system "$release" "$tree"
     fi
     packages="libosmesa6"
     case $system in */gdal) packages="$packages ^libgdal3[0-9]$" ;; esac
     # shellcheck disable=SC2086
-    in_system "$tree" sh -c "apt-get update -q && apt-get install -q -y --no-install-recommends $packages" > "$place/apt.log" 2>&1 ||
+    in_system "$tree" sh -c "export DEBIAN_FRONTEND=noninteractive; apt-get update -q && apt-get install -q -y --no-install-recommends $packages" > "$place/apt.log" 2>&1 ||
         { tail "$place/apt.log"; exit 1; }
     folder="$tree/opt/any place"
     rm -rf "$folder"

@@ -6,32 +6,13 @@
 #     FUMON_BARE_SYSTEMS="trixie bookworm/user trixie/egl" tests/reach/bare_system.sh .
 #
 # A system is a release of Debian. /user: the commands are a user's, with sudo. /egl: there is no OSMesa, EGL draws.
-# FUMON_BARE_MIRROR is where packages come from; FUMON_BARE_FOLDER is where the systems are made (a temporary folder, which goes).
 set -euo pipefail
 sources=$(realpath "$1")
-mirror=${FUMON_BARE_MIRROR:-http://deb.debian.org/debian}
-
-skip() { echo "skipped: $*"; exit 77; }
-[ -n "${FUMON_BARE_SYSTEMS:-}" ] || skip "FUMON_BARE_SYSTEMS names no system"
-[ "$(id -u)" -eq 0 ] || skip "only root makes systems in folders"
-command -v debootstrap > /dev/null || skip "debootstrap is not installed"
-
-place=${FUMON_BARE_FOLDER:-$(mktemp -d)}
-[ -n "${FUMON_BARE_FOLDER:-}" ] || trap 'rm -rf "$place"' EXIT
+. "$(dirname "$0")/bare_systems"
 
 # The first block of code after a mark in the README.
 command_after() {
     awk -v mark="$1" 'index($0, mark) {found = 1; next} found && /^```/ {if (inside) exit; inside = 1; next} inside' "$sources/README.md"
-}
-
-# in_system TREE COMMAND...: with /proc and /dev, which go with the last process.
-in_system() {
-    local tree=$1
-    shift
-    unshare --mount --fork --pid --kill-child sh -c '
-        tree=$1; shift
-        mount --make-rprivate / && mount -t proc proc "$tree/proc" && mount --bind /dev "$tree/dev" && exec chroot "$tree" "$@"' \
-        sh "$tree" env -i HOME=/root TERM=dumb PATH=/usr/sbin:/usr/bin:/sbin:/bin CI="${CI:-}" "$@"
 }
 
 failed=""
@@ -39,8 +20,7 @@ for system in $FUMON_BARE_SYSTEMS; do
     release=${system%%/*} how=${system#"$release"}
     tree=$place/${system//\//-}
     echo "== $system: debootstrap"
-    debootstrap --variant=minbase "$release" "$tree" "$mirror" > "$place/debootstrap.log" || { cat "$place/debootstrap.log"; exit 1; }
-    cp /etc/resolv.conf "$tree/etc/"
+    make_system "$release" "$tree"
     git clone -q "file://$sources" "$tree/fumon"
     case $how in
         *egl*) printf 'Package: libosmesa6\nPin: release *\nPin-Priority: -1\n' > "$tree/etc/apt/preferences.d/no-osmesa" ;;

@@ -51,6 +51,11 @@ class ScratchFolder : public fumon::ScratchFolder {
     }
 };
 
+/// Whether a text has a part.
+inline bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
 std::string read_text(const std::filesystem::path& file);
 void write_text(const std::filesystem::path& file, const std::string& text);
 nlohmann::json read_manifest(const std::filesystem::path& folder);

@@ -34,10 +34,6 @@ class VerifyFolder {
     }
 
   protected:
-    static bool contains(const std::string& text, const std::string& part) {
-        return text.find(part) != std::string::npos;
-    }
-
     ScratchFolder folder_;
 };
 

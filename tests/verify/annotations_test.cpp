@@ -12,10 +12,6 @@
 namespace fumon::test {
 namespace {
 
-bool speaks_of(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 const std::vector<Annotation> some_cases{
     {"sub/p.toml:4:1", "fine", {Outcome::as_recorded, "strict: state and pixels as recorded"}},
     {"sub/p.toml:5:1", "map", {Outcome::differs, "3 % of its pixels differ, by 9\nat most"}},
@@ -43,7 +39,7 @@ TEST(Annotations, FilesAreNamedFromTheCheckout) {
     const std::vector<Annotation> one{{place, "map", {Outcome::differs, "x"}}};
     EXPECT_TRUE(
         github_annotations(one, folder / "work").starts_with("::error file=sub/p.toml,line=5,"));
-    EXPECT_TRUE(speaks_of(github_annotations(one, folder / "other"), "work/sub/p.toml,line=5,"));
+    EXPECT_TRUE(contains(github_annotations(one, folder / "other"), "work/sub/p.toml,line=5,"));
 }
 
 TEST(Annotations, TheSummaryIsATableOfWhatDoesNotPass) {
@@ -60,7 +56,7 @@ TEST(Annotations, TheSummaryIsATableOfWhatDoesNotPass) {
         3000, {"p.toml:1:1", "x", {Outcome::differs, std::string(1000, 'y')}});
     const std::string long_one = github_summary(many, "");
     EXPECT_LT(long_one.size(), std::size_t{1} << 20U);
-    EXPECT_TRUE(speaks_of(long_one, " more\n"));
+    EXPECT_TRUE(contains(long_one, " more\n"));
 }
 
 /// What GitLab's documentation asks of a Code Quality report: an array of objects with a
@@ -115,9 +111,9 @@ TEST(Annotations, AreWrittenByTheCommand) {
     const Ended missing =
         fumon({"verify", "b.toml", "--format", "github"}, folder.path(), {workspace, summary});
     EXPECT_EQ(missing.status, 1) << missing.errors;
-    EXPECT_TRUE(speaks_of(missing.output, "MISSING  b a: "));
-    EXPECT_TRUE(speaks_of(missing.output,
-                          "\n::error file=" + name + "/b.toml,line=2,col=1,title=a%3A missing::"))
+    EXPECT_TRUE(contains(missing.output, "MISSING  b a: "));
+    EXPECT_TRUE(contains(missing.output,
+                         "\n::error file=" + name + "/b.toml,line=2,col=1,title=a%3A missing::"))
         << missing.output;
     EXPECT_TRUE(read_text(folder / "summary.md")
                     .starts_with("of an earlier step\n## fumon verify: 0 of 1 as recorded\n"));
@@ -129,18 +125,17 @@ TEST(Annotations, AreWrittenByTheCommand) {
     const Ended nowhere = fumon({"verify", "b.toml", "--format", "github"}, folder.path(),
                                 {"GITHUB_STEP_SUMMARY=/nowhere/summary.md"});
     EXPECT_EQ(nowhere.status, 3);
-    EXPECT_TRUE(
-        speaks_of(nowhere.errors, "/nowhere/summary.md: the job summary cannot be written"));
+    EXPECT_TRUE(contains(nowhere.errors, "/nowhere/summary.md: the job summary cannot be written"));
 
     ASSERT_EQ(fumon({"verify", "b.toml", "--update", "--pinned"}, folder.path()).status, 0);
     EXPECT_EQ(fumon({"verify", "b.toml", "--format", "gitlab"}, folder.path()).output, "[]\n");
-    EXPECT_FALSE(speaks_of(fumon({"verify", "b.toml", "--format", "github"}, folder.path()).output,
-                           "::error"));
+    EXPECT_FALSE(contains(fumon({"verify", "b.toml", "--format", "github"}, folder.path()).output,
+                          "::error"));
     write_text(folder / "b.toml", "[cases]\na = {scene = \"scene.toml\", stop = 0}\n");
     const Ended wrong = fumon({"verify", "b.toml", "--format", "github"}, folder.path());
     EXPECT_EQ(wrong.status, 2);
     EXPECT_TRUE(
-        speaks_of(wrong.output, "\n::error file=b.toml,line=2,col=28,title=a%3A wrong-input::"))
+        contains(wrong.output, "\n::error file=b.toml,line=2,col=28,title=a%3A wrong-input::"))
         << wrong.output;
 }
 

@@ -13,10 +13,6 @@
 namespace fumon::test {
 namespace {
 
-bool tells(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 /// RFC 4648.
 std::string base64(const std::vector<std::uint8_t>& bytes) {
     constexpr std::string_view digits =
@@ -69,17 +65,18 @@ TEST_F(VerifyIgnored, AnOverlayByItsKind) {
     write_case(", ignore = [\"time\"]");
     const Ended changed = verify();
     EXPECT_EQ(changed.status, 1);
-    EXPECT_TRUE(tells(changed.output, "what is ignored is not what it was when this was recorded"))
+    EXPECT_TRUE(
+        contains(changed.output, "what is ignored is not what it was when this was recorded"))
         << changed.output;
     const Ended update = verify({"--update", "--pinned"});
-    EXPECT_TRUE(tells(update.output, "what is ignored changes")) << update.output;
-    EXPECT_TRUE(tells(read_text(folder_ / "b.lock"), "\nignored = \""));
+    EXPECT_TRUE(contains(update.output, "what is ignored changes")) << update.output;
+    EXPECT_TRUE(contains(read_text(folder_ / "b.lock"), "\nignored = \""));
     write_case(", ignore = [\"time\"]", ", \"overlay.0.opacity=0.3\"");
     const Ended same = verify();
     EXPECT_EQ(same.status, 0) << same.output;
-    EXPECT_TRUE(tells(same.output, "ok       b map: strict: state and pixels as recorded; "))
+    EXPECT_TRUE(contains(same.output, "ok       b map: strict: state and pixels as recorded; "))
         << same.output;
-    EXPECT_TRUE(tells(same.output, " % of the picture ignored\n")) << same.output;
+    EXPECT_TRUE(contains(same.output, " % of the picture ignored\n")) << same.output;
 }
 
 TEST_F(VerifyIgnored, BoxesAreHatchedOnThePageAndInTheDifference) {
@@ -89,7 +86,7 @@ TEST_F(VerifyIgnored, BoxesAreHatchedOnThePageAndInTheDifference) {
     write_case(", ignore = [[100, 60, 20, 10]]", ", \"sun.azimuth=320\"");
     const Ended ended = verify({"-o", "out"});
     EXPECT_EQ(ended.status, 1);
-    EXPECT_TRUE(tells(ended.output, "; 1.95 % of the picture ignored\n")) << ended.output;
+    EXPECT_TRUE(contains(ended.output, "; 1.95 % of the picture ignored\n")) << ended.output;
     IgnoredPixels ignored(128, 80);
     ignored.add({100, 60, 20, 10});
     const Image got = read_png(folder_ / "out/b/map-got.png");
@@ -98,8 +95,8 @@ TEST_F(VerifyIgnored, BoxesAreHatchedOnThePageAndInTheDifference) {
     EXPECT_EQ(read_png(folder_ / "out/b/map-difference.png"),
               difference_picture(kept, got, ignored));
     const std::string page = read_text(folder_ / "out/index.html");
-    EXPECT_TRUE(tells(page, "1.95 % of the picture ignored"));
-    EXPECT_TRUE(tells(page, base64(encode_png(hatched(got, ignored), 96.0, own_text()))));
+    EXPECT_TRUE(contains(page, "1.95 % of the picture ignored"));
+    EXPECT_TRUE(contains(page, base64(encode_png(hatched(got, ignored), 96.0, own_text()))));
 }
 
 TEST_F(VerifyIgnored, AMaskBesideTheBaseline) {
@@ -109,14 +106,15 @@ TEST_F(VerifyIgnored, AMaskBesideTheBaseline) {
     write_case(", ignore_mask = \"mask.png\"");
     const Ended ended = verify({"--update", "--pinned"});
     ASSERT_EQ(ended.status, 0) << ended.output << ended.errors;
-    EXPECT_TRUE(tells(verify().output, "; 1.25 % of the picture ignored\n"));
+    EXPECT_TRUE(contains(verify().output, "; 1.25 % of the picture ignored\n"));
     write_file(folder_ / "mask.png", encode_png(some_picture(128, 79), 96.0, {}));
-    EXPECT_TRUE(tells(verify().output,
-                      "WRONG    b map: b.toml:4:1: cases.map: ignore_mask: mask.png is no PNG of "
-                      "128 x 80 pixels, as the picture; --trust says more\n"))
+    EXPECT_TRUE(
+        contains(verify().output,
+                 "WRONG    b map: b.toml:4:1: cases.map: ignore_mask: mask.png is no PNG of "
+                 "128 x 80 pixels, as the picture; --trust says more\n"))
         << verify().output;
-    EXPECT_TRUE(tells(verify({"--trust"}).output,
-                      "mask.png: is a mask of 128 x 79 pixels for a picture of 128 x 80"));
+    EXPECT_TRUE(contains(verify({"--trust"}).output,
+                         "mask.png: is a mask of 128 x 79 pixels for a picture of 128 x 80"));
     std::filesystem::remove(folder_ / "mask.png");
     EXPECT_EQ(verify().status, 2);
 }
@@ -128,18 +126,18 @@ TEST_F(VerifyIgnored, WrongOnesAreRefusedInALine) {
         EXPECT_EQ(ended.status, 2) << ignore << ended.output;
         return ended.errors + ended.output;
     };
-    EXPECT_TRUE(tells(said("[[0, 0, 128, 40]]"),
-                      "WRONG    b map: b.toml:4:1: cases.map: 50.0 % of the picture would be "
-                      "ignored, more than 30 %; leave out less\n"));
-    EXPECT_TRUE(tells(said("[[0, 0, 128]]"), "b.toml:4:")) << said("[[0, 0, 128]]");
+    EXPECT_TRUE(contains(said("[[0, 0, 128, 40]]"),
+                         "WRONG    b map: b.toml:4:1: cases.map: 50.0 % of the picture would be "
+                         "ignored, more than 30 %; leave out less\n"));
+    EXPECT_TRUE(contains(said("[[0, 0, 128]]"), "b.toml:4:")) << said("[[0, 0, 128]]");
     EXPECT_TRUE(
-        tells(said("[\"tme\"]"), "no kind of overlay is called \"tme\"; did you mean \"time\"?"))
+        contains(said("[\"tme\"]"), "no kind of overlay is called \"tme\"; did you mean \"time\"?"))
         << said("[\"tme\"]");
-    EXPECT_TRUE(tells(said("[\"coordinates\"]"), "coordinates stand over the whole picture"));
-    EXPECT_TRUE(tells(said("[\"title\"]"), "no overlay \"title\" stands on its picture"));
-    EXPECT_TRUE(tells(said("7"), "cases.map.ignore is a list of boxes"));
-    EXPECT_TRUE(tells(said("[7]"), "cases.map.ignore takes boxes"));
-    EXPECT_TRUE(tells(said("[[128, 0, 1, 1]]"), "lies outside of the picture of 128 x 80"));
+    EXPECT_TRUE(contains(said("[\"coordinates\"]"), "coordinates stand over the whole picture"));
+    EXPECT_TRUE(contains(said("[\"title\"]"), "no overlay \"title\" stands on its picture"));
+    EXPECT_TRUE(contains(said("7"), "cases.map.ignore is a list of boxes"));
+    EXPECT_TRUE(contains(said("[7]"), "cases.map.ignore takes boxes"));
+    EXPECT_TRUE(contains(said("[[128, 0, 1, 1]]"), "lies outside of the picture of 128 x 80"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "b.lock"));
     // What holds for all cases, and a case's own instead.
     write_text(folder_ / "b.toml",
@@ -147,10 +145,10 @@ TEST_F(VerifyIgnored, WrongOnesAreRefusedInALine) {
                "{ignore = []}\n");
     EXPECT_EQ(verify({"--update", "--pinned"}).status, 0);
     const std::string output = verify().output;
-    EXPECT_TRUE(tells(output,
-                      "ok       b a: strict: state and pixels as recorded; 0.117 % of the "
-                      "picture ignored\nok       b b: strict: state and pixels as "
-                      "recorded\n"))
+    EXPECT_TRUE(contains(output,
+                         "ok       b a: strict: state and pixels as recorded; 0.117 % of the "
+                         "picture ignored\nok       b b: strict: state and pixels as "
+                         "recorded\n"))
         << output;
 }
 

@@ -5,10 +5,6 @@
 namespace fumon::test {
 namespace {
 
-bool holds(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 TEST(VerifyText, SaysWhereTextAloneDiffersAndWhereTheGroundDoes) {
     const ScratchFolder folder;
     const std::string finding =
@@ -27,18 +23,18 @@ TEST(VerifyText, SaysWhereTextAloneDiffersAndWhereTheGroundDoes) {
     write_case("a dune", "");
     const Ended update = verify({"--update", "--pinned"});
     ASSERT_EQ(update.status, 0) << update.errors;
-    EXPECT_TRUE(holds(read_text(folder / "b.lock"), "\nunder_overlays = \""));
+    EXPECT_TRUE(contains(read_text(folder / "b.lock"), "\nunder_overlays = \""));
     EXPECT_EQ(verify({}).status, 0);
 
     write_case("b dune", "");
     const Ended text = verify({});
     EXPECT_EQ(text.status, 1);
-    EXPECT_TRUE(holds(text.output, finding)) << text.output;
+    EXPECT_TRUE(contains(text.output, finding)) << text.output;
 
     write_case("b dune", ", \"sun.azimuth=320\"");
     const Ended ground = verify({});
     EXPECT_EQ(ground.status, 1);
-    EXPECT_FALSE(holds(ground.output, finding)) << ground.output;
+    EXPECT_FALSE(contains(ground.output, finding)) << ground.output;
 }
 
 }  // namespace

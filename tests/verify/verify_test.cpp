@@ -15,10 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 /// A folder with a small scene and a baseline of two cases, of which the map keeps its picture.
 class Verify : public ::testing::Test {
   protected:
