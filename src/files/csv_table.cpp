@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -359,6 +360,10 @@ const std::vector<double>& numbers_of(const TextSource& source, const Table& tab
             any ? "finite number" : fmt::format("number from {:g} to {:g}", low, high)));
     }
     return column.values;
+}
+
+std::string csv_number(double value) {
+    return std::isnan(value) ? "" : fmt::format("{}", value);
 }
 
 std::string csv_line(const std::vector<std::string>& cells) {

@@ -76,4 +76,7 @@ const std::vector<double>& numbers_of(const TextSource& source, const Table& tab
 /// a formula, gets an apostrophe before it.
 std::string csv_line(const std::vector<std::string>& cells);
 
+/// A number as a cell of such a line: empty where it is not known (NaN).
+std::string csv_number(double value);
+
 }  // namespace fumon

@@ -22,8 +22,8 @@ std::string profile_csv(const ProfilePicture& picture) {
         const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(cells);
         std::vector<std::string> row{fmt::format("{}", picture.length * share)};
         for (const ProfileLine& line : picture.lines) {
-            row.push_back(fmt::format("{}", line.bed[i]));
-            if (!line.surface.empty()) row.push_back(fmt::format("{}", line.surface[i]));
+            row.push_back(csv_number(line.bed[i]));
+            if (!line.surface.empty()) row.push_back(csv_number(line.surface[i]));
         }
         text += csv_line(row);
     }

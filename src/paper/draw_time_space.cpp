@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/quantity_text.h"
@@ -21,11 +22,24 @@ std::string time_space_csv(const TimeSpacePicture& picture) {
     const int cells = picture.values.nx();
     for (int n = 0; n < picture.values.ny(); ++n) {
         for (int i = 0; i < cells; ++i) {
-            text += fmt::format("{},{},{}\n", picture.times[static_cast<std::size_t>(n)],
-                                picture.length * (i + 0.5) / cells, picture.values(i, n));
+            text +=
+                fmt::format("{},{},{}\n", picture.times[static_cast<std::size_t>(n)],
+                            picture.length * (i + 0.5) / cells, csv_number(picture.values(i, n)));
         }
     }
     return text;
+}
+
+/// The least and the greatest value but for those that are not known; 0 and 0 where none is.
+std::pair<double, double> range_of_known(const Grid& values) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const double value : values.values()) {
+        if (std::isnan(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    return low <= high ? std::pair{low, high} : std::pair{0.0, 0.0};
 }
 
 std::vector<MadePanel> make_time_space(const PanelSubject& subject, PanelTools& /*tools*/) {
@@ -35,10 +49,8 @@ std::vector<MadePanel> make_time_space(const PanelSubject& subject, PanelTools& 
     TimeSpacePicture picture =
         time_space_picture(look, subject.snapshots, row_of(settings, subject.snapshots.front().bed),
                            tails_of(settings));
-    const auto [least, greatest] =
-        std::minmax_element(picture.values.values().begin(), picture.values.values().end());
-    const std::pair shown{*least, *greatest};
-    const double farthest = std::max(std::abs(*least), std::abs(*greatest));
+    const std::pair shown = range_of_known(picture.values);
+    const double farthest = std::max(std::abs(shown.first), std::abs(shown.second));
     const bool balanced = look.colour_by == Colouring::change;
     if (settings.low.word == "auto" && look.low.is_word())
         picture.colours.low = balanced ? -farthest : shown.first;

@@ -251,10 +251,7 @@ std::string curve_csv(const CurvePoints& points) {
         if (!std::isfinite(points.x[i]) || !std::isfinite(points.y[i])) continue;
         std::vector<std::string> cells{fmt::format("{}", points.x[i]),
                                        fmt::format("{}", points.y[i])};
-        if (!points.spread.empty()) {
-            const double spread = points.spread[i];
-            cells.push_back(std::isfinite(spread) ? fmt::format("{}", spread) : "");
-        }
+        if (!points.spread.empty()) cells.push_back(csv_number(points.spread[i]));
         if (!points.counts.empty()) cells.push_back(fmt::format("{}", points.counts[i]));
         text += csv_line(cells);
     }

@@ -69,6 +69,17 @@ TEST_F(FigureRemarksTest, TheCaptionSaysWhichBarsAreCut) {
         << caption();
 }
 
+TEST_F(FigureRemarksTest, ColoursOfARowsCourseAreThoseOfItsGroundAndNotOfItsGaps) {
+    write_text(folder_ / "plot.toml",
+               "[model]\nname = \"static\"\n[bed]\nfile = \"" FUMON_TERRAIN_FOLDER
+               "/west_bijou_gully.asc\"\n[run]\nsteps = 2\n[figure]\nformats = [\"svg\"]\n"
+               "[[figure.panel]]\nkind = \"time-space\"\nrow_of_bed = 30\n");
+    ASSERT_EQ(figure("plot.toml").status, 0);
+    EXPECT_NE(caption().find("Colours from 1694 to 1699 m."), std::string::npos) << caption();
+    EXPECT_NE(text("out/plot-a.csv").find("\n0,1.5,\n"), std::string::npos)
+        << "outside of the catchment";
+}
+
 TEST_F(FigureRemarksTest, LimitsBeyondAllDataAreRefused) {
     const std::string points = "x,y\n1,2\n2,3\n3,7\n";
     const Ended empty = figure_of(points, "x_low = 10.0\nx_high = 20.0\n", "");

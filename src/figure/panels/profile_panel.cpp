@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "base/elementary_power.h"
@@ -16,6 +15,7 @@
 #include "figure/canvas/picture_inks.h"
 #include "figure/panels/axis_units.h"
 #include "figure/panels/ground_arrow.h"
+#include "figure/panels/row_means.h"
 #include "figure/panels/scale_bar.h"
 #include "figure/panels/step_text.h"
 #include "render/view/water.h"
@@ -40,22 +40,6 @@ double rounded_exaggeration(double largest) {
     return power;
 }
 
-/// The mean of a field over the rows from `first` to `last` where it is known, column by column.
-std::vector<double> mean_rows(const Grid& field, const Mask& nodata, int first, int last) {
-    std::vector<double> means;
-    for (int x = 0; x < field.nx(); ++x) {
-        double sum = 0.0;
-        int count = 0;
-        for (int y = first; y <= last; ++y) {
-            if (!nodata.empty() && nodata(x, y) != 0) continue;
-            sum += field(x, y);
-            ++count;
-        }
-        means.push_back(count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN());
-    }
-    return means;
-}
-
 }  // namespace
 
 ProfileLine profile_line(const Snapshot& snapshot, std::optional<int> row) {
@@ -66,11 +50,11 @@ ProfileLine profile_line(const Snapshot& snapshot, std::optional<int> row) {
     const int first = row.value_or(0);
     const int last = row.value_or(ny - 1);
     ProfileLine line;
-    line.bed = mean_rows(snapshot.bed, snapshot.nodata, first, last);
+    line.bed = row_means(snapshot.bed, snapshot.nodata, first, last);
     for (double& height : line.bed) height *= snapshot.scale.height_unit;
     if (has_water(snapshot)) {
         line.surface =
-            mean_rows(*field_of(snapshot.fields, "water_depth"), snapshot.nodata, first, last);
+            row_means(*field_of(snapshot.fields, "water_depth"), snapshot.nodata, first, last);
         for (std::size_t i = 0; i < line.bed.size(); ++i) line.surface[i] += line.bed[i];
     }
     line.label = time_text(snapshot);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -11,12 +12,14 @@
 #include "base/quantity_text.h"
 #include "figure/panels/axis_units.h"
 #include "figure/panels/map_picture.h"
+#include "figure/panels/row_means.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr int most_rows = 2100;  // of pixels
+constexpr int most_rows = 2100;      // of pixels
+constexpr std::uint8_t blank = 255;  // white, where there is no value
 
 /// Pixels of even time, the latest at the top: each is the record that is nearest in time.
 Image image_of(const TimeSpacePicture& picture) {
@@ -37,8 +40,12 @@ Image image_of(const TimeSpacePicture& picture) {
         while (record + 1 < records && after(record + 1) - time <= time - after(record)) ++record;
         std::uint8_t* pixel = image.row(row);
         for (int x = 0; x < image.width; ++x, pixel += 3) {
-            const auto& colour =
-                picture.colours.palette[picture.colours.place(picture.values(x, record))];
+            const double value = picture.values(x, record);
+            if (std::isnan(value)) {
+                std::fill_n(pixel, 3, blank);
+                continue;
+            }
+            const auto& colour = picture.colours.palette[picture.colours.place(value)];
             std::copy(colour.begin(), colour.end(), pixel);
         }
     }
@@ -65,12 +72,9 @@ TimeSpacePicture time_space_picture(const LookSettings& look, std::span<const Sn
     picture.time_label = unit == "steps" ? "step" : fmt::format("t ({})", unit);
     for (std::size_t n = 0; n < maps.size(); ++n) {
         picture.times.push_back(snapshots[n].time);
-        for (int x = 0; x < nx; ++x) {
-            double sum = 0.0;
-            for (int y = row.value_or(0); y <= row.value_or(ny - 1); ++y)
-                sum += maps[n].values(x, y);
-            picture.values(x, static_cast<int>(n)) = row ? sum : sum / ny;
-        }
+        const std::vector<double> means =
+            row_means(maps[n].values, maps[n].blank, row.value_or(0), row.value_or(ny - 1));
+        std::copy(means.begin(), means.end(), picture.values.row(static_cast<int>(n)).begin());
     }
     return picture;
 }

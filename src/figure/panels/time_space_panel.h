@@ -16,7 +16,7 @@ namespace fumon {
 
 /// One row of a field at many times: a plain value.
 struct TimeSpacePicture {
-    Grid values;                ///< nx × records; row n is that of times[n]
+    Grid values;                ///< nx × records; row n is that of times[n]; NaN: no data
     std::vector<double> times;  ///< ascending, one a record
     std::string time_label;     ///< "step", "t (s)"
     std::string x_label;        ///< with {unit}; empty: x and its unit

@@ -205,6 +205,23 @@ TEST(TimeSpacePanel, HasTimeUpwardAndEachRecordAroundItsTime) {
     }
 }
 
+TEST(TimeSpacePanel, LeavesCellsWithoutDataWhite) {
+    auto snapshots = moving_ridge({0, 2});
+    for (Snapshot& snapshot : snapshots) {
+        snapshot.nodata = Mask(20, 4, 0);
+        for (int y = 0; y < 4; ++y) snapshot.nodata(7, y) = 1;
+        snapshot.nodata(2, 3) = 1;
+    }
+    const TimeSpacePicture picture = time_space_picture(heights(), snapshots, std::nullopt);
+    EXPECT_TRUE(std::isnan(picture.values(7, 0)));
+    EXPECT_EQ(picture.values(2, 1), 2.0) << "the mean of three rows";
+    Canvas canvas(400, 300, 10.0);
+    TimeSpacePanel(picture).draw(canvas, {60.0, 20.0, 200.0, 200.0});
+    const Image image = canvas.image();
+    EXPECT_EQ(difference(pixel_at(image, 60.0 + 75.0, 120.0), {255, 255, 255}), 0);
+    EXPECT_GT(difference(pixel_at(image, 60.0 + 85.0, 120.0), {255, 255, 255}), 9);
+}
+
 TEST(ProfilePanel, StatesTheExaggerationThatItDraws) {
     Snapshot snapshot = at_step(wavy_bed(80, 3), 5);
     snapshot.scale = {0.5, 0.5, 0.1, true};
