@@ -1,8 +1,12 @@
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "files/atomic_file.h"
@@ -11,6 +15,8 @@
 #include "picture/baseline.h"
 #include "picture/baseline_records.h"
 #include "picture/environment.h"
+#include "picture/pixels/ignore_rules.h"
+#include "picture/pixels/ignored_pixels.h"
 #include "picture/verdict.h"
 #include "python/arrays.h"
 #include "python/module.h"
@@ -22,13 +28,41 @@ namespace {
 
 namespace py = pybind11;
 
-BaselineRecord record_of(const ImageArray& image, const std::string& environment,
-                         std::string state) {
+IgnoredPixels ignored_of(const ImageArray& image,
+                         const std::vector<std::array<std::int64_t, 4>>& boxes,
+                         const std::optional<ImageArray>& mask) {
+    IgnoreRules rules;
+    for (const auto& [x, y, width, height] : boxes) {
+        if (x < 0 || y < 0 || width < 1 || height < 1) {
+            throw InputError(
+                fmt::format("ignore: ({}, {}, {}, {}) is no box of pixels (x, y, width, height)", x,
+                            y, width, height));
+        }
+        rules.boxes.push_back({x, y, width, height});
+    }
+    const Image picture = image_of(image);
+    IgnoredPixels ignored = ignored_pixels(rules, picture, {});
+    if (mask) {
+        const Image white = image_of(*mask);
+        if (white.width != picture.width || white.height != picture.height) {
+            throw InputError(
+                fmt::format("ignore_mask: it has {} x {} pixels; the picture has {} x {}",
+                            white.width, white.height, picture.width, picture.height));
+        }
+        ignored.add(white);
+        check_share(ignored);
+    }
+    return ignored;
+}
+
+BaselineRecord record_of(const ImageArray& image, const std::string& environment, std::string state,
+                         const IgnoredPixels& ignored) {
     BaselineRecord record;
     record.fumon = FUMON_VERSION;
     if (!environment.empty()) record.environment = parse_environment(environment);
     record.state = std::move(state);
-    record.fingerprint = fingerprint_of(image_of(image));
+    record.ignored = ignored.hash();
+    record.fingerprint = fingerprint_of(blanked(image_of(image), ignored));
     return record;
 }
 
@@ -50,14 +84,15 @@ std::pair<std::string, std::string> verdict_on(const BaselineRecord* recorded,
                                                const BaselineRecord& present, const ImageArray& got,
                                                const std::optional<ImageArray>& expected,
                                                bool picture, double thumbnail_difference,
-                                               double tile_ssim) {
+                                               double tile_ssim, const IgnoredPixels& ignored) {
     BaselineCase one;
     one.picture = picture;
     one.thumbnail_difference = thumbnail_difference;
     one.tile_ssim = tile_ssim;
     std::optional<Image> kept;
     if (expected) kept = image_of(*expected);
-    const Verdict verdict = judge(one, recorded, present, image_of(got), kept ? &*kept : nullptr);
+    const Verdict verdict =
+        judge(one, recorded, present, image_of(got), kept ? &*kept : nullptr, {}, ignored);
     return {word_of(verdict.outcome), verdict.finding};
 }
 
@@ -72,12 +107,12 @@ class DifferencePage {
 
     void add(const std::string& suite, const std::string& name, const std::string& finding,
              const ImageArray& got, const BaselineRecord* recorded,
-             const std::optional<ImageArray>& expected) {
+             const std::optional<ImageArray>& expected, const IgnoredPixels& ignored) {
         if (!page_) throw Error(file_ + " is finished");
         std::optional<Image> kept;
         if (expected) kept = image_of(*expected);
         page_->add(suite, name, {Outcome::differs, finding}, image_of(got), recorded,
-                   kept ? &*kept : nullptr);
+                   kept ? &*kept : nullptr, ignored);
     }
 
     /// Ends the page and frees its folder; whether there is a page.
@@ -98,8 +133,11 @@ class DifferencePage {
 }  // namespace
 
 void define_picture_tests(py::module_& core) {
+    py::class_<IgnoredPixels>(core, "IgnoredPixels")
+        .def(py::init(&ignored_of), py::arg("image"), py::arg("boxes"), py::arg("mask"));
     py::class_<BaselineRecord>(core, "Record")
-        .def(py::init(&record_of), py::arg("image"), py::arg("environment"), py::arg("state"))
+        .def(py::init(&record_of), py::arg("image"), py::arg("environment"), py::arg("state"),
+             py::arg("ignored"))
         .def_property_readonly(
             "pinned", [](const BaselineRecord& record) { return record.environment.pinned; })
         .def_property_readonly(
@@ -116,11 +154,11 @@ void define_picture_tests(py::module_& core) {
         py::arg("file"), py::arg("records"));
     core.def("judge", &verdict_on, py::arg("recorded"), py::arg("present"), py::arg("got"),
              py::arg("expected"), py::arg("picture"), py::arg("thumbnail_difference"),
-             py::arg("tile_ssim"));
+             py::arg("tile_ssim"), py::arg("ignored"));
     py::class_<DifferencePage>(core, "DifferencePage")
         .def(py::init<const std::string&>(), py::arg("folder"))
         .def("add", &DifferencePage::add, py::arg("suite"), py::arg("name"), py::arg("finding"),
-             py::arg("got"), py::arg("recorded"), py::arg("expected"))
+             py::arg("got"), py::arg("recorded"), py::arg("expected"), py::arg("ignored"))
         .def("finish", &DifferencePage::finish)
         .def_property_readonly("file", &DifferencePage::file);
 }

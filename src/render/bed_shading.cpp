@@ -83,6 +83,8 @@ gl::TextureLayout layout_of(const LookSettings& look) {
 }
 
 constexpr int noise_texels = 512;  // along the longer side: a dozen to the finest feature
+constexpr int most_noise_texels =
+    3072;  // the plain round a bed of three cells is twenty sides wide
 const gl::TextureLayout noise_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
                                      GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
 /// Of ground that pixels look at one by one: llvmpipe looks up texels of four bytes in a shorter
@@ -208,7 +210,7 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
 
 void BedShading::draw_noise() {
     const auto texels = [](double width) {
-        return std::max(1, static_cast<int>(noise_texels * width));
+        return std::clamp(static_cast<int>(noise_texels * width), 1, most_noise_texels);
     };
     noise_.emplace(texels(block_.width_x), texels(block_.width_y),
                    tiled(by_pixels_ ? coarse_noise_layout : noise_layout, view_.look.ground));

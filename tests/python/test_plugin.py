@@ -283,6 +283,43 @@ def test_one(fumon_image):
     assert recorded(pytester) == ["test_other-test_two", "test_waiting-test_one"]
 
 
+def test_ignores_boxes_and_masks(pytester, run):
+    text = """
+import numpy as np
+
+def picture(level):
+    image = np.full((40, 60, 3), 100, np.uint8)
+    image[4:9, 6:11] = level
+    return image
+
+MASK = np.zeros((40, 60), bool)
+MASK[4:9, 6:11] = True
+
+def test_box(fumon_image):
+    fumon_image(picture(LEVEL), picture=True, ignore=[(6, 4, 5, 5)])
+
+def test_mask(fumon_image):
+    fumon_image(picture(LEVEL), exact=True, ignore_mask=MASK)
+
+def test_too_small(fumon_image):
+    fumon_image(picture(LEVEL), picture=True, ignore=[(6, 4, 5, 4)])
+
+def test_too_large(fumon_image):
+    fumon_image(picture(LEVEL), ignore=[(0, 0, 60, 13)])
+
+def test_other_size(fumon_image):
+    fumon_image(picture(LEVEL), ignore_mask=MASK[1:])
+"""
+    first = run("--fumon-update", text=text.replace("LEVEL", "100"))
+    first.assert_outcomes(passed=3, failed=2)
+    first.stdout.fnmatch_lines(["*32.5 % of the picture would be ignored*", "*it has 60 x 39 pixels; the picture has 60 x 40*"])
+    other = run(text=text.replace("LEVEL", "250"))
+    other.assert_outcomes(passed=2, failed=3)
+    other.stdout.fnmatch_lines(["*test_too_small: *% of the picture ignored*"])
+    without = run("-k", "box", text=text.replace("LEVEL", "100").replace("ignore=[(6, 4, 5, 5)]", "ignore=[(6, 4, 5, 6)]"))
+    without.stdout.fnmatch_lines(["*what is ignored is not what it was*"])
+
+
 def test_exactly(pytester, run):
     text = """
 import numpy as np

@@ -15,7 +15,7 @@ namespace fumon {
 namespace {
 
 std::string number_text(double value) {
-    return std::isnan(value) ? "nan" : fmt::format("{:.6g}", value);
+    return std::isnan(value) ? "nan" : fmt::format("{:.12g}", value);
 }
 
 /// "water_depth of cell (3, 0) is nan"

@@ -71,7 +71,7 @@ std::string heights_in_doubt(const Terrain& terrain, const std::string& file) {
     }
     const auto nx = static_cast<std::size_t>(terrain.heights.nx());
     const auto where = [&](const Found& found) {
-        return fmt::format("the first {:.6g} m at cell ({}, {})", heights[found.first],
+        return fmt::format("the first {:.12g} m at cell ({}, {})", heights[found.first],
                            found.first % nx, found.first / nx);
     };
     // As the file has it, to the last digit, so that it can be copied.

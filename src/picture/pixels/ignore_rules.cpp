@@ -134,12 +134,15 @@ IgnoredPixels ignored_pixels(const IgnoreRules& rules, const Image& picture,
     }
     for (const PixelBox& box : of_overlays) ignored.add(box);
     if (!rules.mask.empty()) add_mask(ignored, folder / rules.mask);
-    if (ignored.share() > largest_ignored_share) {
-        throw InputError(fmt::format(
-            "{:.1f} % of the picture would be ignored, more than {:g} %; leave out less",
-            100.0 * ignored.share(), 100.0 * largest_ignored_share));
-    }
+    check_share(ignored);
     return ignored;
+}
+
+void check_share(const IgnoredPixels& ignored) {
+    if (ignored.share() <= largest_ignored_share) return;
+    throw InputError(
+        fmt::format("{:.1f} % of the picture would be ignored, more than {:g} %; leave out less",
+                    100.0 * ignored.share(), 100.0 * largest_ignored_share));
 }
 
 }  // namespace fumon

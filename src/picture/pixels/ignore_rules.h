@@ -37,4 +37,7 @@ IgnoredPixels ignored_pixels(const IgnoreRules& rules, const Image& picture,
                              const std::filesystem::path& folder,
                              const std::vector<PixelBox>& of_overlays = {});
 
+/// Throws InputError where more than `largest_ignored_share` of a picture is ignored.
+void check_share(const IgnoredPixels& ignored);
+
 }  // namespace fumon

@@ -17,11 +17,13 @@ import hashlib
 import os
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Iterator
+from typing import TYPE_CHECKING, Any, Iterator, Sequence
 
 import pytest
 
 if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
     from _pytest.terminal import TerminalReporter
 
     from . import _core
@@ -248,7 +250,9 @@ class Checker:
 
     def __call__(self, subject: Scene | Step | Picture | Heights, *, step: int | None = None, name: str = "",
                  picture: bool = False, heights: bool = False, exact: bool = False,
-                 thumbnail_difference: float = 0.5, tile_ssim: float = 0.95, **look: Setting) -> Image:
+                 thumbnail_difference: float = 0.5, tile_ssim: float = 0.95,
+                 ignore: Sequence[tuple[int, int, int, int]] = (),
+                 ignore_mask: npt.NDArray[Any] | str | os.PathLike[str] | None = None, **look: Setting) -> Image:
         """Fails unless the picture is as recorded, by the tiers of ``fumon verify``.
 
         subject: a Scene, which is run to ``step`` (the last one by default); a Step; a picture, as an array of uint8,
@@ -259,6 +263,9 @@ class Checker:
         picture: keep the picture itself, too, beside the lock; its tiles are then compared.
         exact: every pixel must be as recorded, as for arrays of your own that are the same everywhere.
         thumbnail_difference (grey levels), tile_ssim: what passes in the portable tier.
+        ignore: boxes (x, y, width, height) of pixels from the upper left corner that are left out.
+        ignore_mask: an array (height, width), true or at least 128 where the picture is left out, or a PNG file that is white there.
+            At most 30 % of a picture may be left out.
 
         Returns the picture.
         """
@@ -272,7 +279,8 @@ class Checker:
         known = former if full not in records and former in records else full
         recorded = records.get(known)
         image, state = _drawn(subject, step, heights, look)
-        present = _core.Record(image, image.environment, state)
+        ignored = _core.IgnoredPixels(image, ignore, _mask(ignore_mask))
+        present = _core.Record(image, image.environment, state, ignored)
         if self._session.updates:
             self._session.record(lock, full, present)
             if picture:
@@ -283,14 +291,14 @@ class Checker:
         self._session.keep(lock, known)
         kept = kept_picture(lock, known)
         expected = _core.read_picture(os.fspath(kept)) if picture and kept.exists() else None
-        outcome, finding = _core.judge(recorded, present, image, expected, picture, thumbnail_difference, tile_ssim)
+        outcome, finding = _core.judge(recorded, present, image, expected, picture, thumbnail_difference, tile_ssim, ignored)
         if exact and recorded is not None and outcome == "as recorded" and recorded.pixels != present.pixels:
             outcome, finding = "differs", f"exact: {finding}"
         if outcome != "as recorded":
             if outcome == "missing":
                 finding = "nothing is recorded; look at the picture, then `pytest --fumon-update`"
             page = self._session.page()
-            page.add(self._file.stem, full, finding, image, recorded, expected)
+            page.add(self._file.stem, full, finding, image, recorded, expected, ignored)
             pytest.fail(f"{full}: {finding}\nsee {page.file}", pytrace=False)
         return image
 
@@ -322,6 +330,22 @@ def _drawn(subject: Any, step: int | None, heights: bool, look: dict[str, Any]) 
     if is_picture:
         return subject if isinstance(subject, Image) else Image(subject), ""
     return Image.open(subject), ""
+
+
+def _mask(mask: npt.NDArray[Any] | str | os.PathLike[str] | None) -> npt.NDArray[np.uint8] | None:
+    """A mask as a picture, white where it leaves out."""
+    import numpy as np
+
+    from . import _core
+    if mask is None:
+        return None
+    if isinstance(mask, (str, os.PathLike)):
+        return _core.read_picture(os.fspath(mask))
+    flags = np.asarray(mask)
+    if flags.ndim != 2:
+        raise ValueError(f"ignore_mask has {flags.ndim} dimensions; it has (height, width)")
+    white = flags if flags.dtype == bool else flags >= 128
+    return np.repeat(np.where(white, np.uint8(255), np.uint8(0))[:, :, None], 3, axis=2)
 
 
 @contextlib.contextmanager
