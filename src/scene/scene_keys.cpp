@@ -105,14 +105,16 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                    .help = "record of a NetCDF variable that has several (over time, band …), from "
                            "1; 0: its last one"});
     table.integer("bed.band", scene.bed.band,
-                  {.range = {0, 65535}, .help = "band of a GeoTIFF bed; 0: its only or first one"});
+                  {.range = {0, 65535},
+                   .help = "band to read from a raster with several (1 is the first); 0: the only "
+                           "band, or the first"});
     table.text("bed.height_unit", scene.bed.height_unit,
                {.help = "unit of a terrain file's heights in place of the one that it names: any "
                         "length of UDUNITS, GDAL or PROJ (\"ft\", \"US survey foot\", \"cm\"); "
                         "empty: the file's own, else metres"});
     table.real(
         "bed.height_factor", scene.bed.height_factor,
-        {.range = {1e-9, 1e9}, .help = "by which a terrain file's heights are multiplied besides"});
+        {.range = {1e-9, 1e9}, .help = "factor by which a terrain file's heights are multiplied"});
     table.choice("bed.height_sign", scene.bed.height_sign,
                  {{HeightSign::automatic, "auto", "as the file says; heights where it does not"},
                   {HeightSign::up, "up", "heights"},
@@ -138,15 +140,14 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                   {.help = "takes out the terraces of a terrain file whose heights are rounded (to "
                            "metres, feet, decimetres …): the smoothest surface that no cell leaves "
                            "by more than half a step; wide level water stays level"});
-    table.text(
-        "bed.crs", scene.bed.crs,
-        {.help = "\"utm\", or a reference system in metres as \"EPSG:32613\", onto whose even "
-                 "cells a terrain file is brought; empty: its own"});
+    table.text("bed.crs", scene.bed.crs,
+               {.help = "reference system in metres to which a terrain file is reprojected: "
+                        "\"utm\" or a code such as \"EPSG:32613\"; empty: the file's own"});
     table.real("bed.resample", scene.bed.resample,
                {.unit = "m",
                 .range = {0, largest_cell_size},
-                .help = "size of the cells onto which a terrain file's heights are brought; 0: as "
-                        "they are; grid.cell_size is that of the file's own cells"});
+                .help = "cell size to which a terrain file is resampled; 0: not resampled; "
+                        "grid.cell_size is that of the file's own cells"});
     table.choice(
         "bed.resample_method", scene.bed.resample_method,
         {{Resampling::average, "average", "mean over the new cell: for larger cells"},

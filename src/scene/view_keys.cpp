@@ -14,40 +14,40 @@ void list_person_keys(PersonSettings& person, const std::string& path, KeyTable&
     table.real(path + ".facing", person.facing,
                {.unit = "degrees",
                 .range = {-360, 360},
-                .help = "which way they look, clockwise from north"});
+                .help = "direction in which the person looks, clockwise from north"});
 }
 
 void list_track_keys(TrackSettings& track, const std::string& path, KeyTable& table) {
     table.choice(path + ".kind", track.kind,
                  {{TrackKind::foot, "foot", "footprints of a walker, a step of 0.75 m apart"}},
-                 {.help = "what left it"});
+                 {.help = "kind of track"});
     table.real_list(path + ".along", track.along, 0, 2000,
                     {.unit = "m",
                      .range = {-largest_place, largest_place},
-                     .help = "the points of its line, first to last: east and north of the bed's "
+                     .help = "points of the track's line: east and north of the bed's "
                              "south-western corner, in turn"});
     table.integer(path + ".seed", track.seed,
-                  {.range = {0, 1e9}, .help = "by which its prints differ from each other"});
+                  {.range = {0, 1e9}, .help = "seed of small differences between prints"});
 }
 
 void list_lens_keys(CameraSettings& camera, KeyTable& table) {
-    table.word_or_real(
-        "camera.f_number", camera.f_number, {{"pinhole", "everything is sharp"}},
-        {.range = {0.5, 1e6},
-         .help = "depth of field of a lens, as photographers say it: its focal length over its "
-                 "diameter; for beds in metres and the perspective camera"});
+    table.word_or_real("camera.f_number", camera.f_number, {{"pinhole", "everything is sharp"}},
+                       {.range = {0.5, 1e6},
+                        .help = "f-number of the lens (focal length over diameter), which gives "
+                                "depth of field; for beds in metres and the perspective camera"});
     table.real("camera.aperture", camera.aperture,
                {.unit = "m or sites",
                 .range = {0, 1e6},
-                .help = "the same by the lens's diameter, for looks of a model seen from near; 0 "
-                        "for a pinhole"});
-    table.word_or_real("camera.focus", camera.focus,
-                       {{"auto",
-                         "on what camera.look_at or camera.framing look at; else on the "
-                         "ground in the middle of the picture"}},
-                       {.unit = "m or sites",
-                        .range = {0, largest_place, true},
-                        .help = "how far before the lens what is sharp lies, along its axis"});
+                .help = "diameter of the lens, instead of camera.f_number; a large one makes land "
+                        "look like a model on a table; 0: a pinhole"});
+    table.word_or_real(
+        "camera.focus", camera.focus,
+        {{"auto",
+          "through the point that camera.look_at or camera.framing looks at; else through the "
+          "ground in the middle of the picture"}},
+        {.unit = "m or sites",
+         .range = {0, largest_place, true},
+         .help = "distance from the lens to the plane of focus, along the camera's axis"});
     table.word_or_real(
         "camera.lens_samples", camera.lens_samples,
         {{"auto", "16 to 128, as the widest blur of the ground needs"}},
@@ -65,16 +65,15 @@ void list_view_keys(View& view, KeyTable& table) {
          {Projection::orthographic, "orthographic", "oblique, parallel lines stay parallel"},
          {Projection::map, "map", "straight from above, north up"}},
         {.help = "how the block is projected"});
-    table.choice(
-        "camera.framing", camera.framing,
-        {{Framing::block, "block", "around the whole block, or as camera.at says"},
-         {Framing::overview, "overview", "over the bed, down on its landforms"},
-         {Framing::low, "low", "across the crests, from a little above the highest"},
-         {Framing::along_crest, "along-crest", "along the highest crest, from beside it"},
-         {Framing::slip_face, "slip-face", "from downwind, up at the highest crest"},
-         {Framing::aerial, "aerial", "steeply down, as from an aeroplane"}},
-        {.help = "by name where the camera stands, from the bed it first sees and its wind; never "
-                 "within 10 degrees of the lattice's own directions"});
+    table.choice("camera.framing", camera.framing,
+                 {{Framing::block, "block", "around the whole block, or as camera.at says"},
+                  {Framing::overview, "overview", "over the bed, down on its landforms"},
+                  {Framing::low, "low", "across the crests, from a little above the highest"},
+                  {Framing::along_crest, "along-crest", "along the highest crest, from beside it"},
+                  {Framing::slip_face, "slip-face", "from downwind, up at the highest crest"},
+                  {Framing::aerial, "aerial", "steeply down, as from an aeroplane"}},
+                 {.help = "camera position by name, found from the first bed and its wind; views "
+                          "stay 10 degrees off the grid's own directions"});
     table.real("camera.azimuth", camera.azimuth,
                {.unit = "degrees",
                 .range = {-360, 360},
@@ -121,19 +120,19 @@ void list_view_keys(View& view, KeyTable& table) {
                   {LightSource::moon, "moon",
                    "a clear night under a full moon at the sun's place: dark, bluish as eyes see "
                    "it, stars"}},
-                 {.help = "what the light comes from"});
+                 {.help = "source of the light"});
     table.real("sun.azimuth", sun.azimuth,
                {.unit = "degrees",
                 .range = {-360, 360},
                 .help = "where the sun stands, clockwise from north"});
     table.real("sun.elevation", sun.elevation,
                {.unit = "degrees", .range = {1, 90}, .help = "above the horizon"});
-    table.real_list("sun.place", sun.place, 0, 2,
-                    {.unit = "degrees",
-                     .range = {-180, 180},
-                     .help = "where on Earth the sun is looked at: latitude and longitude, north "
-                             "and east positive; with sun.time instead of sun.azimuth and "
-                             "sun.elevation, for a bed whose y is true north"});
+    table.real_list(
+        "sun.place", sun.place, 0, 2,
+        {.unit = "degrees",
+         .range = {-180, 180},
+         .help = "latitude and longitude (north and east positive) that place the sun, with "
+                 "sun.time, instead of sun.azimuth and sun.elevation; the bed's y is true north"});
     table.text("sun.time", sun.time,
                {.unit = iso_time,
                 .help = "when, with its offset from UTC: \"2026-03-20T06:40+00:00\" or "
@@ -141,16 +140,15 @@ void list_view_keys(View& view, KeyTable& table) {
     table.real(
         "sun.hours", sun.hours,
         {.range = {-8784, 8784},
-         .help = "hours by which sun.time goes on over the run, evenly with its steps, so that the "
-                 "sun wanders"});
+         .help = "hours that pass during the run, evenly with its steps, so that the sun moves"});
     table.real("sun.diameter", sun.diameter,
                {.unit = "degrees",
                 .range = {0.1, 30},
                 .help = "apparent size: the width of the shadows' soft edge"});
     table.real("sun.strength", sun.strength,
-               {.range = {0, 10}, .help = "of direct light; 1 is a clear day"});
+               {.range = {0, 10}, .help = "factor of direct sunlight; 1 is a clear day"});
     table.real("sun.sky_strength", sun.sky_strength,
-               {.range = {0, 10}, .help = "of light from the sky; 1 is a clear day"});
+               {.range = {0, 10}, .help = "factor of light from the sky; 1 is a clear day"});
     table.real("sun.dust", sun.dust,
                {.range = {0, 100},
                 .help = "aerosol of the air, for the sky \"atmosphere\"; 1 is a clear day"});
@@ -163,39 +161,41 @@ void list_view_keys(View& view, KeyTable& table) {
                  {{Planet::earth, "earth", "blue sky"},
                   {Planet::mars, "mars",
                    "thin air full of fine dust: butterscotch sky, blue around a low sun"}},
-                 {.help = "whose air scatters the light, for the sky \"atmosphere\""});
+                 {.help = "planet whose air scatters the light, for look.sky = \"atmosphere\""});
     table.choice(
         "air.aerosol", view.air.aerosol,
         {{Aerosol::automatic, "auto", "desert over endless ground on Earth, else thin"},
          {Aerosol::thin, "thin",
-          "next to none in the sky, and haze that dims all colours alike; pictures before version "
-          "0.3 have it"},
+          "almost none in the sky, and haze that dims all colours alike, as before version 0.3"},
          {Aerosol::desert, "desert",
-          "that of a clear day in a desert, which hides far dunes and whitens the sky over them"}},
-        {.help = "what floats in the lowest air", .earlier = {"0.3.0", "\"thin\""}});
+          "a clear day in a desert: hides far dunes and whitens the sky above them"}},
+        {.help = "aerosol in the lowest air", .earlier = {"0.3.0", "\"thin\""}});
     table.choice(
         "air.clouds", view.air.clouds,
         {{Clouds::none, "none", "a clear sky, or the even cover of look.sky = \"overcast\""},
          {Clouds::cumulus, "cumulus", "of fair weather: flat bases, heads like cauliflowers"},
          {Clouds::cirrus, "cirrus", "high ice, drawn out into threads"}},
-        {.help = "what hangs in the sky \"atmosphere\" of scenic views"});
+        {.help = "kind of clouds, for look.sky = \"atmosphere\" in scenic views"});
     table.real("air.cloud_cover", view.air.cloud_cover,
-               {.range = {0, 1}, .help = "share of the ground that lies under clouds, about"});
+               {.range = {0, 1}, .help = "approximate share of the ground under clouds"});
     table.integer("air.cloud_seed", view.air.cloud_seed,
-                  {.range = {0, 1e9}, .help = "by which clouds lie elsewhere"});
-    table.word_or_real(
-        "air.cloud_height", view.air.cloud_height, {{"auto", "1800 of cumulus, 8500 of cirrus"}},
-        {.unit = "m", .range = {300, 15000}, .help = "of their base above the ground"});
+                  {.range = {0, 1e9}, .help = "seed of the clouds' places"});
+    table.word_or_real("air.cloud_height", view.air.cloud_height,
+                       {{"auto", "1800 of cumulus, 8500 of cirrus"}},
+                       {.unit = "m",
+                        .range = {300, 15000},
+                        .help = "height of the clouds' base above the ground"});
+    table.real("air.cloud_wind", view.air.cloud_wind,
+               {.unit = "degrees",
+                .range = {-360, 360},
+                .help = "direction from which the wind at the clouds' height blows, clockwise from "
+                        "north; cirrus stretches along it"});
     table.real(
-        "air.cloud_wind", view.air.cloud_wind,
-        {.unit = "degrees",
-         .range = {-360, 360},
-         .help = "where the wind at their height comes from, clockwise from north: cirrus is "
-                 "drawn out along it"});
-    table.real("air.cloud_drift", view.air.cloud_drift,
-               {.unit = "km",
-                .range = {-1e4, 1e4},
-                .help = "how far clouds drift with it over the run, evenly with its steps"});
+        "air.cloud_drift", view.air.cloud_drift,
+        {.unit = "km",
+         .range = {-1e4, 1e4},
+         .help =
+             "distance that clouds drift with that wind during the run, evenly with its steps"});
     table.word_or_real(
         "air.visibility", view.air.visibility,
         {{"auto",
@@ -205,9 +205,8 @@ void list_view_keys(View& view, KeyTable& table) {
           "times its longer side if that is more; around a block on a table as sun.haze says"}},
         {.unit = "km",
          .range = {1e-4, 1e5},
-         .help = "how far dark things are seen near the ground: haze by distance (Koschmieder "
-                 "1924); without "
-                 "metres the bed's longer side counts as 1 km"});
+         .help = "distance at which dark objects near the ground vanish in haze (Koschmieder "
+                 "1924); without metres the bed's longer side counts as 1 km"});
 
     StreamerSettings& streamers = view.streamers;
     table.real("streamers.strength", streamers.strength,
@@ -220,11 +219,11 @@ void list_view_keys(View& view, KeyTable& table) {
                        {.unit = "m or sites",
                         .range = {0, 1e6, true},
                         .help = "how far plumes reach downwind of a brink"});
-    table.real("streamers.travel", streamers.travel,
-               {.unit = "m or sites",
-                .range = {0, 1e6},
-                .help = "how far streamers go downwind from a step to the next; in films from a "
-                        "frame to the next"});
+    table.real(
+        "streamers.travel", streamers.travel,
+        {.unit = "m or sites",
+         .range = {0, 1e6},
+         .help = "distance that blown sand moves downwind in each step, in films in each frame"});
 
     LookSettings& look = view.look;
     table.text(
@@ -236,10 +235,10 @@ void list_view_keys(View& view, KeyTable& table) {
         "look.mode", look.mode,
         {{ViewMode::scenic, "scenic", "sunlight, sky and haze"},
          {ViewMode::figure, "figure", "white ground, no haze, colours true to the colour bar"}},
-        {.help = "for the eye or for a paper"});
+        {.help = "purpose of the picture"});
     table.choice(
         "look.colour_by", look.colour_by,
-        {{Colouring::natural, "natural", "as the ground looks"},
+        {{Colouring::natural, "natural", "natural colours of the ground"},
          {Colouring::height, "height", "bed height"},
          {Colouring::slope, "slope", "steepness in degrees"},
          {Colouring::change, "change", "height minus that of the first frame"},
@@ -248,13 +247,13 @@ void list_view_keys(View& view, KeyTable& table) {
          {Colouring::froude, "froude", "Froude number of the water, speed over sqrt(g depth)"},
          {Colouring::drainage, "drainage",
           "decimal logarithm of the area that drains through a cell, m2"}},
-        {.help = "what the colours mean"});
+        {.help = "quantity shown by the colours"});
     table.text("look.palette", look.palette,
                {.help = "sand, grey, hypsometric, viridis, cividis, magma, inferno, plasma, "
                         "batlow, lapaz, oslo, vik (for "
                         "change), or any NAME of assets/palettes/NAME.txt"});
     table.boolean("look.palette_reversed", look.palette_reversed,
-                  {.help = "reversed, such as dark for deep with grey"});
+                  {.help = "reverses the palette: with grey, dark is deep"});
     table.word_or_real("look.low", look.low, {{"auto", "see look.range"}},
                        {.range = {-largest_colour_value, largest_colour_value},
                         .help = "value at the palette's start, in the unit of colour_by"});
@@ -268,8 +267,8 @@ void list_view_keys(View& view, KeyTable& table) {
           "run that draws while it computes takes its first frame whose values differ, and a "
           "colour bar has a triangle at an end beyond which a frame's values lie; a still takes "
           "its own"},
-         {ColourSpan::frame, "frame", "for each frame its own, as its colour bar says"}},
-        {.help = "whose values give look.low and look.high where they are \"auto\"",
+         {ColourSpan::frame, "frame", "each frame its own, as its colour bar says"}},
+        {.help = "frames whose values set look.low and look.high where those are \"auto\"",
          .earlier = {"0.3.0", "\"frame\""}});
     table.word_or_real("look.exaggeration", look.exaggeration,
                        {{"auto",
@@ -289,14 +288,13 @@ void list_view_keys(View& view, KeyTable& table) {
           "the ground goes on to the horizon, with wind ripples below the grid: a periodic bed "
           "repeats, and where a bed ends it runs out into a plain with relief of its own kind"}},
         {.help = "what lies around the bed", .earlier = {"0.2.0", "\"table\""}});
-    table.choice(
-        "look.far_copies", look.far_copies,
-        {{FarGround::varied, "varied",
-          "each wider or narrower than the bed, aside of its row, and lower; beyond 0.7 of the "
-          "bed's sides around what the first picture looks at"},
-         {FarGround::alike, "alike", "the bed as it is, again and again"}},
-        {.help = "of a periodic bed on endless ground, its repetitions far from the camera",
-         .earlier = {"0.3.0", "\"alike\""}});
+    table.choice("look.far_copies", look.far_copies,
+                 {{FarGround::varied, "varied",
+                   "each wider or narrower than the bed, shifted, and lower; beyond 0.7 of the "
+                   "bed's sides around what the first picture looks at"},
+                  {FarGround::alike, "alike", "the bed as it is, again and again"}},
+                 {.help = "repetitions of a periodic bed far from the camera, on endless ground",
+                  .earlier = {"0.3.0", "\"alike\""}});
     table.choice("look.background", look.background,
                  {{Background::surroundings, "surroundings", "table, sky or the figure's paper"},
                   {Background::transparent, "transparent",
@@ -329,14 +327,16 @@ void list_view_keys(View& view, KeyTable& table) {
          {Tone::neutral, "neutral", "colours stay as they are up to bright ones (Khronos)"}},
         {.help = "from light to display values, in scenic views",
          .earlier = {"0.3.0", "\"auto-0.2\""}});
-    table.real("look.exposure", look.exposure,
-               {.unit = "stops", .range = {-10, 10}, .help = "brighter by a factor of two each"});
+    table.real(
+        "look.exposure", look.exposure,
+        {.unit = "stops", .range = {-10, 10}, .help = "stops of brightness: each doubles it"});
     table.word_or_real(
         "look.contrast", look.contrast,
         {{"auto",
           "over endless ground 1.35, up to 1.8 with half a stop less light under a low sun, "
           "but not of red sand; else 1"}},
-        {.range = {0.2, 4}, .help = "of light before the tone curve: a power around middle grey"});
+        {.range = {0.2, 4},
+         .help = "contrast of light before the tone curve: a power around middle grey"});
     table.boolean("look.block_sides", look.block_sides,
                   {.help = "draw the cut sides of the block"});
     table.choice("look.sides", look.sides,
@@ -357,17 +357,17 @@ void list_view_keys(View& view, KeyTable& table) {
     table.real("look.ripples", look.ripples,
                {.range = {0, 1},
                 .help = "steepness of the wind ripples, too fine for the grid, on endless ground"});
-    table.real("look.plants", look.plants,
-               {.range = {0, 1},
-                .help = "of the plants of model dunes, the share that is drawn one by one; 0: a "
-                        "tint of the ground alone",
-                .earlier = {"0.2.0", "0.0"}});
+    table.real(
+        "look.plants", look.plants,
+        {.range = {0, 1},
+         .help = "share of the plants (model dunes) drawn one by one; 0: only tint the ground",
+         .earlier = {"0.2.0", "0.0"}});
     table.word_or_real("look.contours", look.contours,
                        {{"none", "no lines"}, {"auto", "a round interval: up to 16 lines"}},
                        {.unit = "m",
                         .range = {0, 1e6, true},
-                        .help = "between lines of equal height over the ground, every fifth "
-                                "labelled; model heights where there are no metres"});
+                        .help = "interval of contour lines, every fifth labelled; in model heights "
+                                "where there are no metres"});
     table.word_or_real("look.room", look.room,
                        {{"auto", "as far as the model's landforms usually grow"}},
                        {.unit = "model heights",
@@ -379,7 +379,7 @@ void list_view_keys(View& view, KeyTable& table) {
          {Datum::first, "first", "the first bed's heights: a bed that sinks is seen to sink"},
          {Datum::mean, "mean",
           "each frame's mean height: a bed that sinks as a whole stays framed"}},
-        {.help = "what the drawn heights are counted from"});
+        {.help = "reference level for drawn heights"});
     table.real("look.shading", look.shading,
                {.range = {0, 1}, .help = "hill shading of a figure; 0: the colours alone"});
     table.boolean("look.water", look.water,
@@ -388,8 +388,9 @@ void list_view_keys(View& view, KeyTable& table) {
         "look.water_clarity", look.water_clarity,
         {{"auto", "from the frame's depths: ponds hide their ground, an even film does not"}},
         {.unit = "m", .range = {0, 1e6, true}, .help = "depth at which the bed is half hidden"});
-    table.real("look.turbidity", look.turbidity,
-               {.range = {0, 1}, .help = "of the water: 0 clear and blue-green, 1 muddy"});
+    table.real(
+        "look.turbidity", look.turbidity,
+        {.range = {0, 1}, .help = "turbidity of the water: 0 clear and blue-green, 1 muddy"});
     table.boolean("look.air", look.air,
                   {.help = "draw the air over a profile, where the model has some (scenic)"});
     table.choice("look.mark", look.mark,
@@ -399,16 +400,16 @@ void list_view_keys(View& view, KeyTable& table) {
                    "lighter"},
                   {Marking::ground, "ground",
                    "plants in their green where the dunes have some, and rock without sand"}},
-                 {.help = "cells that stand out"});
+                 {.help = "cells that are marked"});
     table.integer("look.profile_start", look.profile_start,
                   {.unit = "sites",
                    .range = {0, largest_grid_side},
-                   .help = "a profile (grid.ny = 1) is drawn as a strip: its first site"});
+                   .help = "first site of a profile (grid.ny = 1) that is drawn, as a strip"});
     table.integer(
         "look.profile_sites", look.profile_sites,
         {.unit = "sites",
          .range = {0, 8192},
-         .help = "how many sites of a profile are drawn; 0: 900, or all of a shorter one"});
+         .help = "number of sites of a profile that are drawn; 0: 900, or all of a shorter one"});
 
     ImageSettings& image = view.image;
     table.integer("image.width", image.width,
@@ -427,7 +428,9 @@ void list_view_keys(View& view, KeyTable& table) {
                   {.help = "PNG of 16 bits a channel, of 3-D views"});
     table.integer(
         "image.quality", image.quality,
-        {.range = {1, 100}, .help = "of JPEG and WebP pictures: their loss against their size"});
+        {.range = {1, 100},
+         .help =
+             "quality of JPEG and WebP pictures: a higher one loses less and makes larger files"});
     table.boolean("image.lossless", image.lossless, {.help = "WebP pictures without any loss"});
     table.tables("person", view.persons,
                  "a person of 1.75 m who stands on the bed as a scale (scenic, perspective)",

@@ -21,6 +21,6 @@ foreach(part IN LISTS parts)
 endforeach()
 add_library(fumon_parts STATIC ${part_sources})
 set_target_properties(fumon_parts PROPERTIES UNITY_BUILD_MODE GROUP)
-target_link_libraries(fumon_parts PUBLIC fumon_scene fumon_measure fumon_picture fumon_build_identity
+target_link_libraries(fumon_parts PUBLIC fumon_scene fumon_measure fumon_picture fumon_picture_stills fumon_build_identity
                       PRIVATE nlohmann_json::nlohmann_json glm::glm PkgConfig::tomlplusplus)
 

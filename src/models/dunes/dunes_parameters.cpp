@@ -5,18 +5,19 @@ namespace fumon {
 namespace {
 
 void list_wind(DuneWind& wind, const std::string& path, KeyTable& table) {
-    table.real(path + ".from", wind.from,
-               {.unit = "degrees",
-                .range = {-360, 360},
-                .help = "where it blows from, clockwise from north; 270 blows toward +x"});
+    table.real(
+        path + ".from", wind.from,
+        {.unit = "degrees",
+         .range = {-360, 360},
+         .help = "direction from which it blows, clockwise from north; 270 blows toward +x"});
     table.real(
         path + ".strength", wind.strength,
         {.range = {0, 100, true}, .help = "its drift over flat sand, in parts of model.flux"});
     table.real(path + ".duration", wind.duration,
                {.unit = "yr",
                 .range = {0, 1e6, true},
-                .help = "how long it blows, in whole steps, before the next one's turn; of a "
-                        "table, how long all its winds do"});
+                .help = "time for which it blows, in whole steps, before the next wind; for a "
+                        "table, the time of all its winds together"});
     table.text(path + ".table", wind.table,
                {.help = "a file of winds (direction,speed,frequency or direction,flux; see "
                         "fumon orientation), which blow in turn instead of this one; as seen from "
@@ -116,8 +117,8 @@ void list_plant_keys(DunesParameters& dunes, KeyTable& table) {
     table.real("model.growth_period", dunes.growth_period,
                {.unit = "yr",
                 .range = {0, 1e3, true},
-                .help = "plants grow once in it, in whole steps, by the balance since they last "
-                        "did"});
+                .help = "interval between growths of plants, in whole steps; each uses the balance "
+                        "of sand since the last"});
     table.real("model.cover_without_lift", dunes.cover_without_lift,
                {.range = {0, 1, true},
                 .help = "cover of plants from which on no sand is lifted; less cover lets less "
@@ -218,7 +219,7 @@ void list_wind_keys(DunesParameters& dunes, KeyTable& table) {
     table.real("model.shadow_angle", dunes.shadow_angle,
                {.unit = "degrees",
                 .range = {1, 60},
-                .help = "ground that far below the line to a crest upwind has no wind"});
+                .help = "ground at least this far below the line to a crest upwind has no wind"});
     table.real("model.shadow_soft_angle", dunes.shadow_soft_angle,
                {.unit = "degrees",
                 .range = {0, 60, true},
@@ -236,8 +237,8 @@ void list_ground_keys(DunesParameters& dunes, KeyTable& table) {
                 .help = "a slope at rest slides from here on; model.repose_angle or more"});
     table.integer("model.avalanche_passes", dunes.avalanche_passes,
                   {.range = {1, 1e9},
-                   .help = "most passes of avalanches a step; where they do not suffice, the run "
-                           "says so"});
+                   .help = "largest number of avalanche passes in a step; the run warns where they "
+                           "do not suffice"});
     table.boolean("model.avalanche_age", dunes.avalanche_age,
                   {.help = "keep the field avalanche_age: years since sand last slid from a cell"});
     const std::vector<Choice<DuneEdge>> edges{

@@ -9,14 +9,15 @@ namespace fumon {
 void list_keys(LoadParameters& loads, KeyTable& table) {
     table.real("model.morphological_factor", loads.morphological_factor,
                {.range = {0, 1e6},
-                .help = "of transport \"loads\": the bed changes so many times as fast as the "
-                        "water says, so that a storm stands for many"});
-    table.real("model.bed_start", loads.bed_start,
-               {.unit = "s",
-                .range = {0, 1e9},
-                .help = "of transport \"loads\": time of the water, to the next whole step, before "
-                        "which it runs over a bed that stays and carries nothing, so that the bed "
-                        "begins under water that has found its way"});
+                .help = "for transport \"loads\": the bed changes this many times as fast as the "
+                        "water computes, so that one storm stands for many"});
+    table.real(
+        "model.bed_start", loads.bed_start,
+        {.unit = "s",
+         .range = {0, 1e9},
+         .help =
+             "for transport \"loads\": until this time of the water (rounded up to a whole step) "
+             "the bed stays and nothing is carried, so that the water finds its way first"});
     table.real("model.grain_size", loads.grain_size,
                {.unit = "mm", .range = {1e-3, 1000}, .help = "d of the bed's grains"});
     table.real("model.grain_density", loads.grain_density,
@@ -25,8 +26,8 @@ void list_keys(LoadParameters& loads, KeyTable& table) {
     table.real("model.repose_angle", loads.repose_angle,
                {.unit = "deg",
                 .range = {5, 85},
-                .help = "banks steeper than that fall; grains move the easier the nearer to it the "
-                        "bed descends along the flow"});
+                .help = "banks steeper than this collapse; grains move more easily as the bed's "
+                        "descent along the flow nears it"});
     table.choice("model.bed_load", loads.bed_load,
                  {{BedLoadLaw::none, "none", "none"},
                   {BedLoadLaw::meyer_peter_mueller, "meyer-peter-mueller",

@@ -29,7 +29,8 @@ void list_edge(EdgeSettings& edge, const std::string& path, KeyTable& table) {
         path + ".kind", edge.kind,
         {{EdgeFlow::open, "open", "a fall: water leaves freely, none comes in"},
          {EdgeFlow::wall, "wall", "nothing passes"},
-         {EdgeFlow::discharge, "discharge", "so much comes in, evenly along the stretch"},
+         {EdgeFlow::discharge, "discharge",
+          "this discharge comes in, spread evenly along the stretch"},
          {EdgeFlow::level, "level", "the water stands at this level: it comes in or leaves"}},
         {.help = "what passes the stretch; elsewhere model.edges_x, model.edges_y hold"});
     table.real(path + ".value", edge.value,

@@ -22,7 +22,7 @@ enum class OverlayShows {
     KIND(time, "time", nothing, "time and step, with unit")                           \
     KIND(scale_bar, "scale-bar", nothing, "a round length")                           \
     KIND(arrow, "arrow", nothing, "the wind's direction, or the water's, with north") \
-    KIND(colour_bar, "colour-bar", nothing, "what the colours mean")                  \
+    KIND(colour_bar, "colour-bar", nothing, "quantity shown by the colours")          \
     KIND(parameters, "parameters", keys, "a line of keys and their values")           \
     KIND(plot, "plot", measurements, "a measurement over time, up to the frame")      \
     KIND(inset_map, "inset-map", nothing,                                             \
