@@ -24,6 +24,8 @@ import fumon
 scene = fumon.Scene("terada-barchans", seed=2, **{"model.creep_rate": 0.3})
 other: fumon.Scene = copy.deepcopy(scene)
 again: fumon.Scene = pickle.loads(pickle.dumps(scene))
+scene = fumon.Scene("terada-barchans", bed=np.zeros((4, 5)), cell_size=(2, 3), origin="upper", run_steps=3,
+                    **{"model.creep_rate": 0.3})
 for step in scene.run(every=100):
     height: float = float(step.bed.max())
     count: float = step.measures["dune_count"]
