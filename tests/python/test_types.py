@@ -32,6 +32,8 @@ for step in scene.run(every=100):
     picture: fumon.Image = step.image()
 picture = fumon.render(np.zeros((4, 5)), cell_size=30, camera_azimuth=160)
 picture.save("picture.png")
+shown: fumon.FigureAxes = fumon.figure_axes(object(), scene, step=3, camera_projection="map")
+across, down = shown.project([1.0, 2.0], 3.0)
 measures: fumon.Measures = fumon.measure(np.zeros((4, 5)), cell_size=(30, 20), periodic=False)
 likeness: str = fumon.compare(picture, "picture.png").likeness
 sha: str = fumon.fingerprint(picture)["pixels_sha256"]
