@@ -7,6 +7,7 @@
 #include "python/arrays.h"
 #include "python/live_run.h"
 #include "python/module.h"
+#include "python/projections.h"
 #include "python/scene_value.h"
 
 namespace fumon::python {
@@ -113,6 +114,10 @@ void define_runs(py::module_& core) {
                                });
             },
             py::arg("file"))
+        .def("projection",
+             [](const Step& step) {
+                 return projection_of(step.drawer->scene(), *step.drawer->first(), *step.snapshot);
+             })
         .def("layers", [](const Step& step) { return layers_of(layers_drawing_of(step)); })
         .def("exr",
              [](const Step& step) { return file_of(step, layers_drawing_of(step), &layers_file); });

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
+#include <utility>
 
-#include "base/elementary.h"
 #include "base/error.h"
 #include "base/limits.h"
-#include "base/random.h"
 #include "files/hash.h"
 #include "files/terrain/doubtful_heights.h"
 #include "files/terrain/grid_hash.h"
@@ -19,6 +18,9 @@
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
 #include "numerics/resampling.h"
+#include "scene/beds/held_bed.h"
+#include "scene/beds/made_beds.h"
+#include "scene/beds/nodata_height.h"
 #include "scene/trust.h"
 
 namespace fumon {
@@ -43,11 +45,16 @@ bool holds_for_file(const Scene& scene, const char* key) {
     return scene.set_on_command_line(key) || !scene.set_on_command_line("bed.file");
 }
 
+/// What messages call the bed.
+std::string bed_title(const Scene& scene) {
+    return is_held_bed(scene.bed.file) ? held_bed_title : scene.bed.file;
+}
+
 void check_size(const Scene& scene, const char* key, std::int64_t wanted, int found) {
     if (!holds_for_file(scene, key) || wanted == found) return;
     throw InputError(
         fmt::format("{}{} is {}, but {} has {} cells there; leave the key out for a terrain file",
-                    scene.at(key), key, wanted, scene.bed.file, found));
+                    scene.at(key), key, wanted, bed_title(scene), found));
 }
 
 /// Whether a model height is as long as a cell: where neither the scene nor the model says more.
@@ -72,7 +79,8 @@ WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
             throw InputError(fmt::format(
                 "{}grid.cell_size is [{}, {}] m, but {} has cells of [{:.6g}, {:.6g}] m; leave the "
                 "key out",
-                scene.at("grid.cell_size"), scale.dx, scale.dy, scene.bed.file, file_dx, file_dy));
+                scene.at("grid.cell_size"), scale.dx, scale.dy, bed_title(scene), file_dx,
+                file_dy));
         }
     } else if (file_dx > 0.0) {
         scale.dx = file_dx;
@@ -99,29 +107,16 @@ WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
 void take_out_nodata_value(const Scene& scene, Terrain& terrain) {
     const WordOrReal& value = scene.bed.nodata_value;
     if (value.is_word()) return;
-    std::int64_t cells = 0;
-    const double of_file = value.value * terrain.metres_per_number;
-    const bool masked = !terrain.nodata.empty();
-    for (std::size_t cell = 0; cell < terrain.heights.size(); ++cell) {
-        double& height = terrain.heights.values()[cell];
-        if ((height != value.value && height != of_file) ||
-            (masked && terrain.nodata.values()[cell] != 0))
-            continue;
-        if (terrain.nodata.empty())
-            terrain.nodata = Mask(terrain.heights.nx(), terrain.heights.ny());
-        terrain.nodata.values()[cell] = 1;
-        height = 0.0;
-        ++cells;
-    }
+    const std::int64_t cells = take_out_height(terrain, value.value);
     if (cells == 0) {
         throw InputError(
             fmt::format("{}bed.nodata_value is {:g} m, but no cell of {} has that height; leave "
                         "the key out",
-                        scene.at("bed.nodata_value"), value.value, scene.bed.file));
+                        scene.at("bed.nodata_value"), value.value, bed_title(scene)));
     }
     if (cells == static_cast<std::int64_t>(terrain.heights.size())) {
         throw InputError(fmt::format("{}bed.nodata_value is {:g} m, the height of every cell of {}",
-                                     scene.at("bed.nodata_value"), value.value, scene.bed.file));
+                                     scene.at("bed.nodata_value"), value.value, bed_title(scene)));
     }
 }
 
@@ -129,9 +124,9 @@ void take_out_nodata_value(const Scene& scene, Terrain& terrain) {
 std::string guessed_cells(const Scene& scene, const Terrain& terrain, const WorldScale& scale) {
     if (!scale.in_metres || terrain.dx > 0.0 || !scene.grid.cell_size.empty()) return {};
     return fmt::format(
-        "the file does not say how large its cells are: they are taken for {:g} m (grid.cell_size "
+        "{} does not say how large its cells are: they are taken for {:g} m (grid.cell_size "
         "says otherwise)",
-        scale.dx);
+        is_held_bed(scene.bed.file) ? held_bed_title : "the file", scale.dx);
 }
 
 void apply_nodata_rule(const Scene& scene, Terrain& terrain) {
@@ -198,7 +193,7 @@ void resample(const Scene& scene, Terrain& terrain, WorldScale& scale) {
         throw InputError(
             fmt::format("{} is {} m, but {} does not say how large its cells are; write their size "
                         "as grid.cell_size",
-                        key, size, scene.bed.file));
+                        key, size, bed_title(scene)));
     }
     const double cells =
         static_cast<double>(terrain.heights.size()) * (scale.dx / size) * (scale.dy / size);
@@ -261,8 +256,8 @@ void reproject(const Scene& scene, Terrain& terrain) {
     try {
         terrain = reprojected(terrain, scene.bed.crs);
     } catch (const InputError& refusal) {
-        throw InputError(
-            fmt::format("{}bed.crs: {}: {}", scene.at("bed.crs"), scene.bed.file, refusal.what()));
+        throw InputError(fmt::format("{}bed.crs: {}: {}", scene.at("bed.crs"), bed_title(scene),
+                                     refusal.what()));
     }
 }
 
@@ -286,8 +281,33 @@ std::string smooth_terraces(const Scene& scene, Terrain& terrain) {
     return fmt::format("terraces of {:.4g} m are taken out of the heights", *step);
 }
 
-InitialBed bed_from_file(const Scene& scene) {
-    const std::filesystem::path file = bed_path(scene);
+/// What a program has handed over. Keys that say how a file is read mean nothing for it.
+Terrain held_terrain(const Scene& scene) {
+    const BedSettings& bed = scene.bed;
+    const std::array<std::pair<const char*, bool>, 8> given{
+        {{"bed.window", !bed.window.empty()},
+         {"bed.heights", !bed.heights.empty()},
+         {"bed.variable", !bed.variable.empty()},
+         {"bed.record", bed.record != 0},
+         {"bed.band", bed.band != 0},
+         {"bed.height_unit", !bed.height_unit.empty()},
+         {"bed.height_factor", bed.height_factor != 1.0},
+         {"bed.height_sign", bed.height_sign != HeightSign::automatic}}};
+    for (const auto& [key, is_given] : given) {
+        if (!is_given) continue;
+        throw InputError(fmt::format(
+            "{}{} says how a file is read, and the bed is an array; give the array as it is to be",
+            scene.at(key), key));
+    }
+    try {
+        return find_held_bed(scene.bed.file)->terrain();
+    } catch (const InputError& fault) {
+        throw InputError(scene.at("bed.file") + fault.what());
+    }
+}
+
+/// The terrain file of a scene, where the scene may read it and it is there.
+Terrain terrain_of_file(const Scene& scene, const std::filesystem::path& file) {
     check_listed(scene, file);
     check_trust(scene, "bed.file", file);
     std::error_code fault;
@@ -302,7 +322,13 @@ InitialBed bed_from_file(const Scene& scene) {
                         scene.at("bed.file"), scene.bed.file, file.string(),
                         named_from_here(scene) ? "the working folder" : "the scene file"));
     }
-    Terrain terrain = read_bed_file(scene, file);
+    return read_bed_file(scene, file);
+}
+
+InitialBed bed_from_file(const Scene& scene) {
+    const std::filesystem::path file = bed_path(scene);
+    const bool held = is_held_bed(scene.bed.file);
+    Terrain terrain = held ? held_terrain(scene) : terrain_of_file(scene, file);
     take_out_nodata_value(scene, terrain);
     const std::string doubt = doubts_of(scene, terrain, file);
     const std::string terraces = smooth_terraces(scene, terrain);
@@ -330,45 +356,19 @@ InitialBed bed_from_file(const Scene& scene) {
         for (double& height : initial.bed.values()) height /= initial.scale.height_unit;
     }
     initial.nodata = std::move(terrain.nodata);
-    initial.inputs.push_back({file.lexically_normal().string(), hex(grid_hash(file))});
+    initial.inputs.push_back(
+        held ? InputFile{scene.bed.file, find_held_bed(scene.bed.file)->hash()}
+             : InputFile{file.lexically_normal().string(), hex(grid_hash(file))});
     initial.note = note;
     return initial;
-}
-
-Grid noise(const Scene& scene) {
-    Grid bed(static_cast<int>(scene.grid.nx), rows_of(scene));
-    const double low = scene.bed.low;
-    const double width = scene.bed.high - scene.bed.low;
-    for (int y = 0; y < bed.ny(); ++y) {
-        RandomStream stream(static_cast<std::uint64_t>(scene.seed), static_cast<std::uint32_t>(y),
-                            0, Purpose::initial_bed);
-        for (double& height : bed.row(y)) height = low + width * stream.uniform();
-    }
-    return bed;
-}
-
-Grid heap(const Scene& scene, const WorldScale& scale) {
-    Grid bed(static_cast<int>(scene.grid.nx), rows_of(scene));
-    const double dx = scale.in_metres ? scale.dx : 1.0;
-    const double dy = scale.in_metres ? scale.dy : 1.0;
-    for (int y = 0; y < bed.ny(); ++y) {
-        for (int x = 0; x < bed.nx(); ++x) {
-            const double east = dx * (x - 0.5 * (bed.nx() - 1));
-            const double north = dy * (y - 0.5 * (bed.ny() - 1));
-            const double share = std::sqrt(east * east + north * north) / scene.bed.heap_radius;
-            if (share >= 1.0) continue;
-            const double cosine = elementary::cos(0.5 * std::numbers::pi * share);
-            bed(x, y) = scene.bed.height * cosine * cosine;
-        }
-    }
-    return bed;
 }
 
 }  // namespace
 
 std::filesystem::path bed_path(const Scene& scene) {
-    return named_from_here(scene) ? std::filesystem::path(scene.bed.file)
-                                  : scene.directory / scene.bed.file;
+    return named_from_here(scene) || is_held_bed(scene.bed.file)
+               ? std::filesystem::path(scene.bed.file)
+               : scene.directory / scene.bed.file;
 }
 
 BedKind bed_kind(const Scene& scene) {
@@ -386,10 +386,14 @@ InitialBed make_initial_bed(const Scene& scene) {
     }
     InitialBed initial;
     initial.scale = scale_of(scene, 0.0, 0.0);
-    initial.bed = kind == BedKind::noise ? noise(scene)
-                  : kind == BedKind::heap
-                      ? heap(scene, initial.scale)
-                      : Grid(static_cast<int>(scene.grid.nx), rows_of(scene), scene.bed.height);
+    const BedSize size{static_cast<int>(scene.grid.nx), rows_of(scene)};
+    const WorldScale& scale = initial.scale;
+    initial.bed =
+        kind == BedKind::noise ? noise_bed(size, scene.seed, scene.bed.low, scene.bed.high)
+        : kind == BedKind::heap
+            ? heap_bed(size, scale.in_metres ? scale.dx : 1.0, scale.in_metres ? scale.dy : 1.0,
+                       scene.bed.height, scene.bed.heap_radius)
+            : Grid(size.nx, size.ny, scene.bed.height);
     return initial;
 }
 

@@ -24,12 +24,16 @@ import fumon
 scene = fumon.Scene("terada-barchans", seed=2, **{"model.creep_rate": 0.3})
 other: fumon.Scene = copy.deepcopy(scene)
 again: fumon.Scene = pickle.loads(pickle.dumps(scene))
+scene = fumon.Scene("terada-barchans", bed=np.zeros((4, 5)), cell_size=(2, 3), origin="upper", run_steps=3,
+                    **{"model.creep_rate": 0.3})
 for step in scene.run(every=100):
     height: float = float(step.bed.max())
     count: float = step.measures["dune_count"]
     picture: fumon.Image = step.image()
 picture = fumon.render(np.zeros((4, 5)), cell_size=30, camera_azimuth=160)
 picture.save("picture.png")
+shown: fumon.FigureAxes = fumon.figure_axes(object(), scene, step=3, camera_projection="map")
+across, down = shown.project([1.0, 2.0], 3.0)
 measures: fumon.Measures = fumon.measure(np.zeros((4, 5)), cell_size=(30, 20), periodic=False)
 likeness: str = fumon.compare(picture, "picture.png").likeness
 sha: str = fumon.fingerprint(picture)["pixels_sha256"]

@@ -9,6 +9,7 @@
     fumon.raster(heights, "slope", cell_size=30)  # also aspect, hillshade, drainage, wetness
     fumon.movie(beds, "growth.mp4", cell_size=30)
     fumon.Bmi()                                 # a model for others to step and change
+    fumon.figure_axes(ax, scene)                # a view or map in axes of Matplotlib; also fumon.colormap("batlow")
     fumon.compare(image, other), fumon.fingerprint(image)
 
 Grids are arrays (ny, nx): rows run north, columns east. Row 0 is the southernmost. Heights of terrain are metres.
@@ -34,6 +35,7 @@ def _find_data() -> None:
 
 _find_data()
 
+from .axes import FigureAxes, colormap, figure_axes  # noqa: E402
 from .bmi import Bmi  # noqa: E402
 from .images import Comparison, Image, compare, fingerprint  # noqa: E402
 from .layers import Layers  # noqa: E402
@@ -56,6 +58,6 @@ def pin_rendering() -> None:
 
 
 __all__ = [
-    "Bmi", "Comparison", "Error", "Image", "InputError", "Layers", "Measures", "Movie", "Run", "Scene", "Step",
-    "compare", "fingerprint", "measure", "movie", "pin_rendering", "raster", "render", "render_layers",
+    "Bmi", "Comparison", "Error", "FigureAxes", "Image", "InputError", "Layers", "Measures", "Movie", "Run", "Scene", "Step",
+    "colormap", "compare", "figure_axes", "fingerprint", "measure", "movie", "pin_rendering", "raster", "render", "render_layers",
 ]

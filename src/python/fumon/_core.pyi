@@ -27,6 +27,24 @@ class _Fingerprint(TypedDict):
     dhash: str
     thumbnail: npt.NDArray[np.float64]
 
+class _Projection(TypedDict):
+    is_map: bool
+    pixels: tuple[int, int]
+    map_pixels: list[float]
+    perspective: bool
+    eye: list[float]
+    axes: list[list[float]]
+    half: list[float]
+    side: float
+    width: list[float]
+    reference: float
+    height_scale: float
+    exaggeration: float
+    in_metres: bool
+    extent: list[float]
+    height_unit: float
+    place: tuple[float, float, float, float, bool, str] | None
+
 class _SweptRun(TypedDict):
     combination: int
     seed: int
@@ -65,6 +83,12 @@ class SceneValue:
     @property
     def source(self) -> str: ...
 
+class HeldBed:
+    def __init__(self, heights: npt.NDArray[np.float64], nodata: npt.NDArray[np.uint8] | None, cell_size: _CellSize,
+                 place: tuple[float, float, float, float, bool, str] | None, unit_counts: bool | None) -> None: ...
+    @property
+    def name(self) -> str: ...
+
 class Step:
     @property
     def step(self) -> int: ...
@@ -90,6 +114,7 @@ class Step:
     def measured(self) -> _Measured: ...
     def drawn(self) -> _Drawn: ...
     def still(self, file: str) -> bytes: ...
+    def projection(self) -> _Projection: ...
     def layers(self) -> _Layers: ...
     def exr(self) -> bytes: ...
 
@@ -152,6 +177,8 @@ def measure_bed(heights: npt.NDArray[np.float64], nodata: npt.NDArray[np.uint8] 
 def raster_of_bed(heights: npt.NDArray[np.float64], nodata: npt.NDArray[np.uint8] | None, cell_size: _CellSize,
                   quantity: str, azimuth: float, elevation: float,
                   exaggeration: float) -> tuple[npt.NDArray[np.float64], str, str]: ...
+def palette(name: str) -> npt.NDArray[np.uint8]: ...
+def palette_names() -> list[str]: ...
 def metres_per_degree(latitude: float) -> tuple[float, float]: ...
 def metres_per_unit(unit: str) -> float | None: ...
 def metres_per_height(unit: str) -> float | None: ...

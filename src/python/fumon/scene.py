@@ -6,20 +6,25 @@ import copy
 import os
 import warnings
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Iterable, Iterator, NoReturn, SupportsIndex
+from typing import TYPE_CHECKING, Any, Iterable, Iterator, NoReturn, SupportsIndex, Union
 
 from . import _core
-from .arrays import Bytes, Numbers
+from .arrays import Bytes, Heights, Numbers
 from .images import Image, PathLike, picture_name
 from .layers import Layers
 from .measures import Measures
 from .progress import Progress
 from .settings import Setting, key_of, settings_of
+from .terrain import CellSize, held_bed
 
 if TYPE_CHECKING:
     import xarray
 
     from .sweeps import Keys, Over
+
+# Keys in a dict (``**{"model.creep_rate": 0.3}``) are to type checkers what any keyword may take.
+_CellSize = Union[CellSize, Setting]
+_Word = Setting
 
 
 class Scene(Mapping[str, Any]):
@@ -29,22 +34,50 @@ class Scene(Mapping[str, Any]):
     with an underscore for the dot (``run_steps=100``) or by their own names (``**{"model.creep_rate": 0.3}``), and so
     does ``scene["model.creep_rate"] = 0.3``. Values are checked at once: InputError says what would be right, with
     file:line:column where the text is wrong.
+
+    bed: heights that the run starts from, in place of the scene's own bed, as fumon.render() takes them: an array
+    (ny, nx), metres, whose NaN and masked cells lie outside the terrain; an xarray.DataArray, which brings its cells,
+    its place and its reference system; a raster grid of Landlab, of which ``field`` names the heights. ``cell_size`` and
+    ``origin`` are those of fumon.render(); without a cell size, grid.cell_size of the scene holds. The heights are
+    copied. The scene names them by their SHA-256 (``scene["bed.file"]``), and so does what it saves.
     """
 
-    def __init__(self, source: PathLike, **settings: Setting) -> None:
-        self._value = _core.SceneValue.read(os.fspath(source), settings_of(settings))
+    _bed: _core.HeldBed | None = None
+
+    def __init__(self, source: PathLike, *, bed: Heights | Mapping[str, Setting] | None = None,
+                 cell_size: _CellSize = None, origin: _Word = "lower", field: _Word | None = None,
+                 **settings: Setting) -> None:
+        given = self._with_bed(settings, bed, cell_size, origin, field)
+        self._value = _core.SceneValue.read(os.fspath(source), given)
 
     @classmethod
-    def from_toml(cls, text: str, **settings: Setting) -> Scene:
-        """The scene of a text; files that it names are looked for from the working folder."""
+    def from_toml(cls, text: str, *, bed: Heights | Mapping[str, Setting] | None = None, cell_size: _CellSize = None,
+                  origin: _Word = "lower", field: _Word | None = None, **settings: Setting) -> Scene:
+        """The scene of a text; files that it names are looked for from the working folder. The others as for Scene()."""
         scene = cls.__new__(cls)
-        scene._value = _core.SceneValue.parse(text, "text", os.getcwd(), settings_of(settings))
+        given = scene._with_bed(settings, bed, cell_size, origin, field)
+        scene._value = _core.SceneValue.parse(text, "text", os.getcwd(), given)
         return scene
+
+    def _with_bed(self, settings: Mapping[str, Setting], bed: Any, cell_size: Any, origin: Any,
+                  field: Any) -> list[tuple[str, str]]:
+        """Settings with a bed, which this scene holds from now on."""
+        if bed is None or (isinstance(bed, Mapping) and not hasattr(bed, "data_vars")):
+            if cell_size is not None or origin != "lower" or field is not None:
+                raise ValueError("cell_size, origin and field are those of bed=, an array")
+            return settings_of(settings if bed is None else {"bed": bed, **settings})
+        if isinstance(bed, (str, os.PathLike)):
+            raise TypeError(f"bed is an array of heights; bed_file={os.fspath(bed)!r} names a file")
+        held = held_bed(bed, cell_size, origin, field)
+        self._bed = held
+        return settings_of({**settings, "bed.kind": "file", "bed.file": held.name})
 
     def __getitem__(self, key: str) -> Any:
         return self._value.get(key_of(key))
 
     def __setitem__(self, key: str, value: Setting) -> None:
+        if key == "bed" and not isinstance(value, Mapping):
+            raise TypeError("an array is the bed of a scene when it is made: fumon.Scene(..., bed=array)")
         self._value.set(settings_of({key: value}))
 
     def update(self, settings: Mapping[str, Setting] | None = None, **more: Setting) -> None:

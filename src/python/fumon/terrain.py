@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal, Mapping, Union
+from typing import Any, Literal, Mapping, Tuple, Union
 
 import numpy as np
 
@@ -107,6 +107,45 @@ def bed_of(data: Heights, cell_size: CellSize = None, origin: Origin = "lower", 
     if hasattr(data, "dims") and hasattr(data, "coords"):
         return _bed_of_dataarray(data, size, origin)
     return _bed_of_array(data, size, flipped=origin == "upper")
+
+
+#: West and south of the grid's edges, dx and dy in the coordinates' own unit, whether that is degrees, and their system.
+Place = Tuple[float, float, float, float, bool, str]
+
+
+def held_bed(data: Any, cell_size: CellSize = None, origin: Origin = "lower", field: str | None = None) -> _core.HeldBed:
+    """Whatever holds heights, as a bed that scenes of this process find by its name."""
+    bed = bed_of(data, cell_size, origin, field)
+    place = _place_of(data) if hasattr(data, "dims") and hasattr(data, "coords") else None
+    size, unit_counts = bed.cell_size, None
+    if place is not None and cell_size is None:
+        _, _, dx, dy, degrees, _ = place
+        has_unit = any(data.coords[dim].attrs.get("units") for dim in ordered_dims(data)) and not degrees
+        size, unit_counts = size if has_unit else (dx, dy), not has_unit
+    return _core.HeldBed(bed.heights, bed.nodata, size, place, unit_counts)
+
+
+def _place_of(array: Any) -> Place | None:
+    """Where a DataArray lies, by its coordinates; None where they count cells."""
+    north, east = ordered_dims(array)
+    if not all(dim in array.coords and array.sizes[dim] > 1 for dim in (north, east)):
+        return None
+    x, y = array.coords[east], array.coords[north]
+    dx, dy = _spacing(x), _spacing(y)
+    if dx is None or dy is None or "1" in (x.attrs.get("units"), y.attrs.get("units")):
+        return None
+    west, south = float(np.min(x.values)) - 0.5 * dx, float(np.min(y.values)) - 0.5 * dy
+    return west, south, dx, dy, "degrees" in (_unit(x), _unit(y)), _crs_of(array)
+
+
+def _crs_of(array: Any) -> str:
+    """The reference system that rioxarray or CF's grid mapping notes, as WKT or "EPSG:32613"; empty where there is none."""
+    name = array.attrs.get("grid_mapping") or array.encoding.get("grid_mapping") or "spatial_ref"
+    noted = array.coords[name].attrs if name in array.coords else {}
+    for attributes, key in ((noted, "crs_wkt"), (noted, "spatial_ref"), (array.attrs, "crs_wkt"), (array.attrs, "crs")):
+        if attributes.get(key):
+            return str(attributes[key])
+    return ""
 
 
 def _checked_size(cell_size: CellSize) -> tuple[float, float] | None:
