@@ -20,6 +20,7 @@
 #include "figure/canvas/canvas_parts.h"
 #include "figure/canvas/figure_metadata.h"
 #include "figure/canvas/marked_text.h"
+#include "figure/canvas/pdf_metadata.h"
 #include "figure/canvas/svg_ids.h"
 #include "figure/canvas/svg_text.h"
 #include "picture/png.h"

@@ -4,19 +4,16 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/error.h"
-#include "files/json_text.h"
+#include "figure/canvas/pdf_metadata.h"
 #include "files/png_reader.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr std::string_view pdf_entry = "/Keywords ";
 constexpr std::string_view svg_open = "<metadata><texts xmlns=\"urn:fumon:figure\">";
 constexpr std::string_view svg_close = "</texts></metadata>";
 
@@ -95,52 +92,7 @@ FigureMetadata svg_texts(std::string_view svg, const std::string& name) {
     return metadata;
 }
 
-/// The ASCII string that a PDF file's bytes start with: "(…)", or "<FEFF…>", which is UTF-16 in
-/// hexadecimal and what Cairo writes where brackets or backslashes are in it. Empty if it is
-/// neither.
-std::string pdf_string(std::string_view bytes) {
-    constexpr std::string_view utf16 = "<FEFF";
-    std::string text;
-    if (bytes.starts_with('(')) {
-        for (std::size_t i = 1; i < bytes.size() && bytes[i] != ')'; ++i) {
-            if (bytes[i] == '\\' && i + 1 < bytes.size()) ++i;
-            text += bytes[i];
-        }
-    } else if (bytes.starts_with(utf16)) {
-        bytes.remove_prefix(utf16.size());
-        constexpr int hexadecimal = 16;
-        for (; bytes.size() >= 4 && bytes.front() != '>'; bytes.remove_prefix(4)) {
-            int code = 0;
-            const auto read = std::from_chars(bytes.data(), bytes.data() + 4, code, hexadecimal);
-            if (read.ptr != bytes.data() + 4 || code > 127) return "";
-            text += static_cast<char>(code);
-        }
-    }
-    return text;
-}
-
-FigureMetadata pdf_texts(std::string_view pdf, const std::string& name) {
-    const std::size_t at = pdf.rfind(pdf_entry);
-    if (at == std::string_view::npos) return {};
-    const std::string keywords = pdf_string(pdf.substr(at + pdf_entry.size()));
-    if (!keywords.starts_with("[[\"")) return {};
-    try {
-        return parse_json(keywords).get<FigureMetadata>();
-    } catch (const nlohmann::json::exception&) {
-        throw InputError(fmt::format("{}: its metadata are damaged", name));
-    }
-}
-
 }  // namespace
-
-PdfMetadata pdf_metadata(const FigureMetadata& metadata) {
-    try {
-        return {text_of(metadata, "Title"), text_of(metadata, "Software"),
-                metadata.empty() ? "" : nlohmann::json(metadata).dump(-1, ' ', true)};
-    } catch (const nlohmann::json::exception&) {
-        throw Error("the metadata of a figure cannot stand in a PDF file: they are not UTF-8");
-    }
-}
 
 std::string with_svg_metadata(const std::string& svg, const FigureMetadata& metadata) {
     const std::size_t root = svg.find("<svg ");
@@ -158,7 +110,7 @@ std::string with_svg_metadata(const std::string& svg, const FigureMetadata& meta
 
 FigureMetadata read_figure_metadata(std::string_view bytes, const std::string& name) {
     if (is_png(bytes)) return PngReader(bytes, name).texts();
-    if (bytes.starts_with("%PDF-")) return pdf_texts(bytes, name);
+    if (bytes.starts_with("%PDF-")) return read_pdf_metadata(bytes, name);
     constexpr std::size_t head = 1000;  // bytes in which an SVG file names itself
     if (bytes.substr(0, head).find("<svg") != std::string_view::npos) return svg_texts(bytes, name);
     throw InputError(fmt::format("{}: is neither a PDF, an SVG nor a PNG file", name));

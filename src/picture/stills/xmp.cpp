@@ -229,12 +229,16 @@ PictureText texts_of_xmp(std::string_view xmp) {
     return texts;
 }
 
-std::string extension_of_xmp(std::string_view xmp) {
-    std::string guid;
-    each_value(xmp, [&guid](std::string_view name, std::string_view value) {
-        if (name == extension_element) guid = value;
+std::string xmp_value(std::string_view xmp, std::string_view name) {
+    std::string text;
+    each_value(xmp, [&](std::string_view found, std::string_view value) {
+        if (found == name) text = from_xml(value);
     });
-    return guid;
+    return text;
+}
+
+std::string extension_of_xmp(std::string_view xmp) {
+    return xmp_value(xmp, extension_element);
 }
 
 }  // namespace fumon

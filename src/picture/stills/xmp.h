@@ -28,6 +28,10 @@ XmpParts xmp_parts(const PictureText& texts, std::size_t most_bytes);
 /// attributes for elements. Never throws: of what is not XMP there are none.
 PictureText texts_of_xmp(std::string_view xmp);
 
+/// The value of an element that holds text alone, or of an attribute, by its name with prefix
+/// ("pdf:Keywords"); the last where there are several, empty where there is none. Never throws.
+std::string xmp_value(std::string_view xmp, std::string_view name);
+
 /// The GUID of the extension that a packet names; empty where it names none.
 std::string extension_of_xmp(std::string_view xmp);
 
