@@ -35,8 +35,9 @@ void add(Sha256Stream& stream, double value) {
     stream.add_little_endian(std::bit_cast<std::uint64_t>(value));
 }
 
-std::string hash_of(const Terrain& terrain) {
+std::string hash_of(const Terrain& terrain, std::optional<bool> unit_counts) {
     Sha256Stream stream;
+    stream.add_little_endian(static_cast<std::uint8_t>(!unit_counts ? 0 : *unit_counts ? 1 : 2));
     stream.add_little_endian(static_cast<std::uint64_t>(terrain.heights.nx()));
     stream.add_little_endian(static_cast<std::uint64_t>(terrain.heights.ny()));
     add(stream, terrain.dx);
@@ -60,7 +61,7 @@ HeldBed::HeldBed(Terrain terrain, std::string hash)
     : terrain_(std::move(terrain)), hash_(std::move(hash)) {}
 
 std::shared_ptr<const HeldBed> HeldBed::hold(Terrain terrain, std::optional<bool> unit_counts) {
-    std::string hash = hash_of(terrain);
+    std::string hash = hash_of(terrain, unit_counts);
     if (unit_counts) make_true_lengths(terrain, *unit_counts, held_bed_title);
     std::shared_ptr<const HeldBed> bed(new HeldBed(std::move(terrain), std::move(hash)));
     const std::lock_guard lock(shelf().mutex);

@@ -20,7 +20,8 @@ class HeldBed {
     static std::shared_ptr<const HeldBed> hold(Terrain terrain, std::optional<bool> unit_counts);
 
     [[nodiscard]] const Terrain& terrain() const { return terrain_; }
-    /// SHA-256 (hexadecimal) of the number of cells, their sizes, the place, heights and mask.
+    /// SHA-256 (hexadecimal) of the number of cells, their sizes and what these count, the place,
+    /// heights and mask.
     [[nodiscard]] const std::string& hash() const { return hash_; }
     [[nodiscard]] std::string name() const;
 
