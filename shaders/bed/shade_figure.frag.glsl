@@ -8,15 +8,33 @@ uniform sampler2D palette;
 uniform float natural;
 uniform vec3 to_sun;
 uniform float shading;  // share of hill shading
+uniform float clear;    // 1: as block diagrams are drawn
 
 in vec2 place;
 out vec4 colour;
+
+// Level ground in a middle tone: slopes towards the sun are mixed with white, slopes away from it go far down, valleys
+// are a little darker, and shadows but faint.
+vec3 as_diagram(vec3 albedo, BedPoint point) {
+    float facing = dot(point.normal, to_sun) - to_sun.z;
+    facing *= mix(0.45, 1.0, point.sun);
+    float open = mix(0.45, 1.0, point.sky);
+    float dark = 1.0 - exp(3.4 * min(facing, 0.0));
+    float bright = 1.0 - exp(-3.0 * max(facing, 0.0));
+    vec3 shaded = albedo * mix(1.0, 0.05, dark) * open;
+    return mix(shaded, vec3(0.96, 0.95, 0.92), mix(0.5, 0.9, natural) * bright * open);
+}
 
 void main() {
     BedPoint point = bed_point(place);
     float value = texture(value_map, place).r;
     vec3 albedo = linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb);
-    albedo = marked(mix(albedo, vec3(0.82, 0.66, 0.45), max(natural, texture(uncoloured_map, place).r)), place);
+    vec3 plain = clear > 0.5 ? vec3(0.62, 0.52, 0.38) : vec3(0.82, 0.66, 0.45);
+    albedo = marked(mix(albedo, plain, max(natural, texture(uncoloured_map, place).r)), place);
+    if (clear > 0.5) {
+        colour = vec4(display_from_linear(mix(albedo, as_diagram(albedo, point), shading)), 1.0);
+        return;
+    }
     float level = max(to_sun.z, 0.25);
     float lit = point.sun * max(dot(point.normal, to_sun), 0.0) / level;  // 1 on level ground
     float light = 0.30 + 0.32 * point.sky + 0.38 * min(lit, 1.6);

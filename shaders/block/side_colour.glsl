@@ -9,6 +9,9 @@
 
 uniform float base;
 uniform float figure;  // 1: plain and grey
+uniform float clear;   // 1: and light, with an outline
+uniform float side_line;  // its width, block lengths
+uniform float upright;    // of a height, how much of it is seen
 uniform float rock;
 uniform float soil;  // 1: cut by a spade
 uniform float watery;  // 1: of a bed with water
@@ -88,12 +91,25 @@ vec3 water_cut(vec3 to_eye, float sun, float below_surface, float above_bed) {
     return mix(light, 0.60 * sky_light + 0.45 * sun_light, 0.55 * brim);
 }
 
+// Of a figure whose sides are plain: two light tones, and thin lines along the ground, the foot and the block's corners.
+vec3 plain_side(float ground, float surface) {
+    float tone = 0.875 + 0.055 * dot(normalize(to_sun.xy + vec2(1e-6, 0.0)), outward);
+    vec3 face = vec3(tone) * vec3(1.0, 0.995, 0.985);
+    if (cut_point.z > ground && surface > ground) face = vec3(0.74, 0.84, 0.92);
+    float top = max(surface, ground) - cut_point.z;
+    vec2 to_corner = 0.5 * extent - abs(cut_point.xy);
+    float corner = abs(outward.x) > 0.5 ? to_corner.y : to_corner.x;
+    float within = min(min(top, cut_point.z - base) * upright, 1.6 * corner) / side_line;
+    return mix(vec3(0.28), face, smoothstep(0.6, 1.2, within));
+}
+
 // Display values at a point. `heights`: of the ground and of the surface over it, 0 … 1 over their range.
 vec3 side_colour(vec3 point, vec2 heights) {
     cut_point = point;
     vec2 levels = mix(height_range.xx, height_range.yy, heights);
     float ground = levels.x;
     float surface = levels.y;  // above the ground where water stands on it
+    if (figure > 0.5 && clear > 0.5) return display_from_linear(linear_from_display(plain_side(ground, surface)));
     float depth = ground - cut_point.z;
     vec3 normal = vec3(outward, 0.0);
     vec3 to_eye = direction_to_eye(cut_point);

@@ -12,14 +12,26 @@ namespace fumon {
 namespace {
 
 nlohmann::ordered_json scale_json(const WorldScale& scale) {
-    return {{"dx", scale.dx},
-            {"dy", scale.dy},
-            {"height_unit", scale.height_unit},
-            {"in_metres", scale.in_metres}};
+    nlohmann::ordered_json json{{"dx", scale.dx},
+                                {"dy", scale.dy},
+                                {"height_unit", scale.height_unit},
+                                {"in_metres", scale.in_metres}};
+    if (const auto& place = scale.place) {
+        json["place"] = {{"west", place->west}, {"south", place->south},     {"dx", place->dx},
+                         {"dy", place->dy},     {"degrees", place->degrees}, {"crs", place->crs}};
+    }
+    return json;
 }
 
+/// Outlines of earlier versions have no place.
 WorldScale read_scale(const nlohmann::ordered_json& json) {
-    return {json.at("dx"), json.at("dy"), json.at("height_unit"), json.at("in_metres")};
+    WorldScale scale{json.at("dx"), json.at("dy"), json.at("height_unit"), json.at("in_metres")};
+    if (json.contains("place")) {
+        const auto& place = json.at("place");
+        scale.place = {place.at("west"), place.at("south"),   place.at("dx"),
+                       place.at("dy"),   place.at("degrees"), place.at("crs")};
+    }
+    return scale;
 }
 
 /// Fields and curves alike.

@@ -120,6 +120,8 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
         shown.axes = settings.axes;
         shown.x_label = settings.x_label;
         shown.y_label = settings.y_label;
+        if (settings.coordinates)
+            shown.coordinates = scale_of_values(picture, subject.snapshots[k]);
         picture.colours.label = label_or(settings.bar_label, picture.colours.label);
         const bool bar = settings.colour_bar && (!shared || k + 1 == pictures.size());
         shown.colour_bar = bar ? BarPlace::right : BarPlace::none;

@@ -123,6 +123,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
         {"marks", mark_number(view.look.mark)},
         {"tinted", switched(!colours_water(view.look.colour_by))},
         {"figure", switched(view.look.mode == ViewMode::figure)},
+        {"clear", switched(view.look.relief == FigureRelief::clear)},
         {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
         {"plain", switched(block.tiles.plain)},
         {"varied", switched(far_copies_vary(view, !block.tiles.plain))},

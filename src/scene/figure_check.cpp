@@ -122,6 +122,7 @@ class FigureCheck {
         const std::vector<PanelKind> stepped{map, view, profile, section};
         const std::vector<PanelKind> coloured{map, view, time_space, section};
         const std::vector<PanelKind> maps{map};
+        const std::vector<PanelKind> views{view};
         const PanelSettings usual;
         struct Asked {
             const char* key;
@@ -132,13 +133,14 @@ class FigureCheck {
         const std::vector<PanelKind> of_fields{map, time_space};
         const std::vector<PanelKind> with_ground{map, view};
         const std::vector<PanelKind> with_arrow{map, view, profile};
+        const std::vector<PanelKind> with_bar{map, view, time_space};
         const std::vector<PanelKind> over_time{time_space};
         const std::vector<PanelKind> with_axes{plot, map, profile, time_space};
         const std::vector<PanelKind> sections{section};
         const std::vector<Asked> all{
             {"x_label", panel.x_label != usual.x_label, with_axes},
             {"y_label", panel.y_label != usual.y_label, with_axes},
-            {"bar_label", panel.bar_label != usual.bar_label, of_fields},
+            {"bar_label", panel.bar_label != usual.bar_label, with_bar},
             {"x_logarithmic", panel.x_logarithmic, plots},
             {"y_logarithmic", panel.y_logarithmic, plots},
             {"x_low", panel.x_low != usual.x_low, plots},
@@ -159,7 +161,9 @@ class FigureCheck {
             {"shading", panel.shading != usual.shading, maps},
             {"shading_from_all_sides", panel.shading_from_all_sides, maps},
             {"axes", panel.axes != usual.axes, maps},
-            {"contours", panel.contours != usual.contours, maps},
+            {"contours", panel.contours != usual.contours, with_ground},
+            {"coordinates", panel.coordinates, with_ground},
+            {"colours", panel.colours != usual.colours, views},
             {"vectors", panel.vectors, maps},
             {"scale_bar", panel.scale_bar, with_ground},
             {"arrow", panel.arrow != usual.arrow, with_arrow},

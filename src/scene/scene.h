@@ -137,6 +137,7 @@ enum class SkyModel { automatic, automatic_0_2, two_colours, atmosphere, overcas
 enum class Tone { automatic, automatic_0_2, filmic, agx, agx_punchy, neutral };
 enum class BlockSides { soil, layers };
 enum class SandKind { quartz, iron_red, gypsum, carbonate, basalt, martian };
+enum class FigureRelief { soft, clear };
 enum class ColourSpan { run, frame };
 enum class Datum { automatic, first, mean };
 
@@ -165,11 +166,13 @@ struct LookSettings {
     double plants = 1.0;               ///< share of the plants that are drawn one by one, 0 … 1
     WordOrReal contours{"none", 0.0};  ///< metres (or model heights) between lines of equal height
     WordOrReal room{"auto", 0.0};      ///< heights framed above the first bed
+    WordOrReal footing{"auto", 0.0};   ///< heights of the block under the first bed's lowest place
     Datum datum = Datum::automatic;
-    double shading = 1.0;                   ///< hill shading of a figure, 0 … 1
-    bool water = true;                      ///< draw the water, where the model has some
-    WordOrReal water_clarity{"auto", 0.0};  ///< metres of water that hide half of the bed
-    double turbidity = 0.15;                ///< 0 clear … 1 muddy
+    FigureRelief relief = FigureRelief::soft;  ///< of a figure
+    double shading = 1.0;                      ///< hill shading of a figure, 0 … 1
+    bool water = true;                         ///< draw the water, where the model has some
+    WordOrReal water_clarity{"auto", 0.0};     ///< metres of water that hide half of the bed
+    double turbidity = 0.15;                   ///< 0 clear … 1 muddy
     bool air = true;  ///< draw the air over a profile, where the model has some
     Marking mark = Marking::none;
     std::int64_t profile_start = 0;  ///< of a single row: the first site shown

@@ -373,6 +373,11 @@ void list_view_keys(View& view, KeyTable& table) {
                        {.unit = "model heights",
                         .range = {0, 1e7},
                         .help = "space kept free above the first bed"});
+    table.word_or_real("look.footing", look.footing,
+                       {{"auto", "5.5 % of the longer side, and below what the bed may sink to"}},
+                       {.unit = "model heights",
+                        .range = {0, 1e7},
+                        .help = "thickness of the block under the first bed's lowest place"});
     table.choice(
         "look.datum", look.datum,
         {{Datum::automatic, "auto", "mean for models with water, else first"},
@@ -380,6 +385,12 @@ void list_view_keys(View& view, KeyTable& table) {
          {Datum::mean, "mean",
           "each frame's mean height: a bed that sinks as a whole stays framed"}},
         {.help = "reference level for drawn heights"});
+    table.choice("look.relief", look.relief,
+                 {{FigureRelief::soft, "soft", "gentle shade, shadows, grey layered sides"},
+                  {FigureRelief::clear, "clear",
+                   "as a block diagram is drawn: deep shade and bright slopes, faint shadows, "
+                   "plain light sides with a thin outline"}},
+                 {.help = "of a figure's hill shading"});
     table.real("look.shading", look.shading,
                {.range = {0, 1}, .help = "hill shading of a figure; 0: the colours alone"});
     table.boolean("look.water", look.water,

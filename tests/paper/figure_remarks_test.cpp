@@ -80,6 +80,45 @@ TEST_F(FigureRemarksTest, ColoursOfARowsCourseAreThoseOfItsGroundAndNotOfItsGaps
         << "outside of the catchment";
 }
 
+TEST_F(FigureRemarksTest, AViewTellsItsExaggerationColoursAndContours) {
+    write_text(folder_ / "plot.toml",
+               "[model]\nname = \"static\"\n[bed]\nfile = \"" FUMON_TERRAIN_FOLDER
+               "/west_bijou_gully.asc\"\n[figure]\nformats = [\"svg\"]\nsvg_text = \"text\"\n"
+               "dots_per_inch = 60\n[[figure.panel]]\nkind = \"view\"\ncolours = \"height\"\n"
+               "contours = 5.0\ncoordinates = true\nbar_label = \"elevation ({unit})\"\n"
+               "set = [\"look.exaggeration=2\"]\n");
+    const Ended ended = figure("plot.toml");
+    ASSERT_EQ(ended.status, 0) << ended.errors;
+    for (const char* part : {"Heights × 2", "olours from 16", "ontours every 5 m"})
+        EXPECT_NE(caption().find(part), std::string::npos) << part << caption();
+    const std::string svg = text("out/plot.svg");
+    EXPECT_NE(svg.find("elevation (m)"), std::string::npos);
+    EXPECT_NE(svg.find(" m N<"), std::string::npos) << "the terrain's own coordinates";
+    EXPECT_NE(text("out/plot-a.asc").find("xllcorner 559705"), std::string::npos)
+        << "the data lie where the terrain lies";
+}
+
+TEST_F(FigureRemarksTest, AnOlderFigureKeepsItsViews) {
+    const auto svg_of = [&](const std::string& more) {
+        write_scene("view.toml",
+                    "[figure]\ndots_per_inch = 60\nformats = [\"svg\"]\n[[figure.panel]]\n"
+                    "kind = \"view\"\n" +
+                        more);
+        EXPECT_EQ(figure("view.toml").status, 0);
+        return text("out/view.svg");
+    };
+    const auto drawing = [](const std::string& svg) { return svg.substr(svg.find("</metadata>")); };
+    const std::string former = drawing(svg_of("relief = \"scene\"\n"));
+    std::string svg = svg_of("");
+    EXPECT_NE(drawing(svg), former);
+    const std::string version = "fumon:version\">";
+    const std::size_t at = svg.find(version) + version.size();
+    svg.replace(at, svg.find('<', at) - at, "0.2.0");
+    write_text(folder_ / "old.svg", svg);
+    ASSERT_EQ(fumon({"again", "old.svg", "-o", "again.svg"}, folder_.path()).status, 0);
+    EXPECT_EQ(drawing(text("again.svg")), former);
+}
+
 TEST_F(FigureRemarksTest, LimitsBeyondAllDataAreRefused) {
     const std::string points = "x,y\n1,2\n2,3\n3,7\n";
     const Ended empty = figure_of(points, "x_low = 10.0\nx_high = 20.0\n", "");

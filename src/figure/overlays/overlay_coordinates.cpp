@@ -12,10 +12,11 @@
 #include <vector>
 
 #include "base/error.h"
-#include "figure/overlays/coordinate_marks.h"
 #include "figure/overlays/overlay.h"
 #include "figure/overlays/overlay_text.h"
+#include "figure/panels/block_coordinates.h"
 #include "figure/panels/ground_axes.h"
+#include "figure/plot/coordinate_marks.h"
 #include "render/view/chosen_ground.h"
 #include "render/view/framing.h"
 #include "render/view/shown_snapshot.h"
@@ -23,38 +24,6 @@
 namespace fumon {
 
 namespace {
-
-constexpr Ink line_ink{0.1, 0.1, 0.1, 0.85};
-constexpr double plate_room = 0.18;  // around a text, font sizes
-
-/// A lower edge of the block: along x or y, at one of the two sides across.
-struct Edge {
-    bool along_x = true;
-    bool at_low = true;  ///< the southern or western one
-
-    /// A point of it, `share` along and `beyond` the block, in the block's lengths.
-    [[nodiscard]] glm::dvec3 point(const Block& block, double share, double beyond = 0.0) const {
-        const double side = (at_low ? -1.0 : 1.0) * (along_x ? block.width_y : block.width_x);
-        const double across = 0.5 * side + (at_low ? -beyond : beyond);
-        const double along = (share - 0.5) * (along_x ? block.width_x : block.width_y);
-        return along_x ? glm::dvec3(along, across, block.base)
-                       : glm::dvec3(across, along, block.base);
-    }
-    /// How far the camera stands before the block's wall over it; of an orthographic one, how much
-    /// the wall faces it.
-    [[nodiscard]] double before(const Block& block, const Camera& camera) const {
-        const glm::dvec3 out = point(block, 0.5, 1.0) - point(block, 0.5);
-        if (!camera.perspective) return -glm::dot(out, camera.forward);
-        return glm::dot(out, camera.eye - point(block, 0.5));
-    }
-};
-
-/// Of the two edges along x, or along y, the one before which the camera stands.
-Edge nearer_edge(const Block& block, const Camera& camera, bool along_x) {
-    const Edge low{along_x, true};
-    const Edge high{along_x, false};
-    return low.before(block, camera) >= high.before(block, camera) ? low : high;
-}
 
 class CoordinatesOverlay : public Overlay {
   public:
@@ -127,7 +96,7 @@ class CoordinatesOverlay : public Overlay {
                                                   {shown.right(), shown.bottom()},
                                                   {shown.x, shown.bottom()},
                                                   {shown.x, shown.y}}},
-                      canvas.line_width(), line_ink);
+                      canvas.line_width(), coordinate_ink);
         CoordinateAxis east = axis(true);
         CoordinateAxis north = axis(false);
         const auto along = [](double from, double length, double share, double low_end,
@@ -160,56 +129,17 @@ class CoordinatesOverlay : public Overlay {
     }
 
     void draw_under_block(Canvas& canvas, const ViewProjection& view) const {
-        std::vector<CoordinateAxis> axes;
-        for (const bool along_x : {true, false}) {
-            const Edge edge = nearer_edge(view.block, view.camera, along_x);
-            draw_edge(canvas, view, edge);
-            CoordinateAxis one = axis(along_x);
-            const double length = one.length;
-            one.seen = [=](double place) {
-                return seen(view, edge.point(view.block, place / length));
-            };
-            one.outward = [=](double place) { return outward(view, edge, place / length); };
-            axes.push_back(std::move(one));
-        }
-        draw_marks(canvas, axes);
-    }
-
-    static std::optional<CanvasPoint> seen(const ViewProjection& view, const glm::dvec3& point) {
-        const Camera& camera = view.camera;
-        if (camera.perspective && glm::dot(point - camera.eye, camera.forward) < camera.near_depth)
-            return std::nullopt;
-        return view.at(point);
-    }
-
-    /// Away from the block on the ground, as it is seen; downward where that is no direction.
-    static CanvasPoint outward(const ViewProjection& view, const Edge& edge, double share) {
-        constexpr double step = 1e-3;
-        const CanvasPoint at = view.at(edge.point(view.block, share));
-        const CanvasPoint beyond = view.at(edge.point(view.block, share, step));
-        const glm::dvec2 way(beyond.x - at.x, beyond.y - at.y);
-        const double length = glm::length(way);
-        if (!(length > 1e-6)) return {0.0, 1.0};
-        return {way.x / length, way.y / length};
-    }
-
-    static void draw_edge(Canvas& canvas, const ViewProjection& view, const Edge& edge) {
-        constexpr int parts = 32;
-        std::vector<CanvasPoint> line;
-        for (int i = 0; i <= parts; ++i) {
-            const auto point = seen(view, edge.point(view.block, static_cast<double>(i) / parts));
-            if (point) line.push_back(*point);
-        }
-        if (line.size() > 1) canvas.stroke(line, canvas.line_width(), line_ink);
+        const BlockCoordinates shown = block_coordinates(view, scale_, length_x_, length_y_);
+        for (const std::vector<CanvasPoint>& line : shown.lines)
+            canvas.stroke(line, canvas.line_width(), coordinate_ink);
+        draw_marks(canvas, shown.axes);
     }
 
     void draw_marks(Canvas& canvas, std::span<const CoordinateAxis> axes) const {
-        for (const CoordinateMark& mark : coordinate_marks(canvas, axes, taken_)) {
-            const CanvasBox plate = grown(mark.box, plate_room * canvas.font_size());
-            if (plate_ > 0.0) canvas.fill(plate, {1.0, 1.0, 1.0, plate_});
-            canvas.stroke(std::array{mark.from, mark.to}, canvas.line_width(), line_ink);
-            canvas.write(mark.text, mark.box.middle(), {0.5, 0.5}, black_ink, 1.0, mark.upright);
-        }
+        draw_coordinate_marks(
+            canvas,
+            coordinate_marks(canvas, axes, taken_, {0.0, 0.0, canvas.width(), canvas.height()}),
+            plate_);
     }
 
     View view_;

@@ -16,6 +16,7 @@
 #include "base/elementary_angle.h"
 #include "base/error.h"
 #include "base/whole_number.h"
+#include "render/view/hiding_ground.h"
 
 namespace fumon {
 
@@ -198,6 +199,24 @@ std::optional<GroundContours> ground_contours(const WordOrReal& asked, const Sna
         std::move(lines.begin(), lines.end(), std::back_inserter(contours.lines));
     }
     return contours;
+}
+
+std::vector<CanvasContour> seen_contours(const GroundContours& contours, const Snapshot& snapshot,
+                                         const ViewProjection& view) {
+    const HidingGround ground(snapshot, view.block, view.camera);
+    std::vector<CanvasContour> lines;
+    for (const ContourLine& line : contours.lines) {
+        CanvasContour part{line.level, {}};
+        for (const glm::dvec2& point : line.points) {
+            if (ground.seen(point)) {
+                part.points.push_back(view.at(ground.point(point)));
+            } else if (!part.points.empty()) {
+                lines.push_back(std::exchange(part, {line.level, {}}));
+            }
+        }
+        if (!part.points.empty()) lines.push_back(std::move(part));
+    }
+    return lines;
 }
 
 bool is_index_contour(double level, double interval) {

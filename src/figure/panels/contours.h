@@ -6,6 +6,7 @@
 
 #include "base/snapshot.h"
 #include "figure/canvas/canvas.h"
+#include "figure/panels/ground_axes.h"
 #include "keys/word_or_real.h"
 #include "numerics/contour_lines.h"
 
@@ -31,6 +32,10 @@ struct CanvasContour {
     double level = 0.0;
     std::vector<CanvasPoint> points;
 };
+
+/// The parts of a snapshot's lines that a view sees.
+std::vector<CanvasContour> seen_contours(const GroundContours& contours, const Snapshot& snapshot,
+                                         const ViewProjection& view);
 
 /// Whether a level has a thick line and labels: every fifth, counted from 0.
 bool is_index_contour(double level, double interval);

@@ -15,6 +15,7 @@
 #include "figure/panels/arrow_field.h"
 #include "figure/panels/axis_units.h"
 #include "figure/panels/scale_bar.h"
+#include "figure/plot/coordinate_scale.h"
 #include "numerics/percentile.h"
 #include "render/view/water.h"
 
@@ -112,10 +113,25 @@ Axes MapPanel::axes_in(const CanvasBox& frame) const {
              label_or(settings_.y_label, fmt::format("y ({})", unit.symbol)), settings_.y_axis}};
 }
 
+/// The axes that are drawn: by default those of axes_in().
+Axes MapPanel::shown_axes(const CanvasBox& frame) const {
+    if (!settings_.coordinates) return axes_in(frame);
+    using Axis = CoordinateScale::Axis;
+    const BedExtent extent = bed_extent(picture_.values, picture_.scale);
+    const auto range = [&](Axis axis, double length, const std::string& label) -> AxisRange {
+        const auto shown = CoordinateScale(*settings_.coordinates, axis).range(length);
+        return {shown.low, shown.high,
+                label_or(label, fmt::format("{} ({})", shown.name, shown.unit))};
+    };
+    AxisRange y = range(Axis::north, extent.height, settings_.y_label);
+    y.tick_labels = settings_.y_axis;
+    return {frame, range(Axis::east, extent.width, settings_.x_label), std::move(y)};
+}
+
 PanelMargins MapPanel::margins(const Canvas& canvas, double width, double height) const {
     const double thin = 0.5 * canvas.line_width();
     PanelMargins room{thin, thin, thin, thin};
-    if (settings_.axes) room = axes_in({0.0, 0.0, width, height}).margins(canvas);
+    if (settings_.axes) room = shown_axes({0.0, 0.0, width, height}).margins(canvas);
     if (settings_.flow)
         room.above = std::max(room.above, reference_arrow_room * canvas.font_size());
     return with_colour_bar(canvas, room, settings_.colour_bar, picture_.colours, width, height);
@@ -226,8 +242,9 @@ void MapPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     draw_lines(canvas, frame);
     draw_furniture(canvas, frame);
     if (settings_.axes) {
-        room = axes.margins(canvas);
-        axes.draw(canvas);
+        const Axes shown = shown_axes(frame);
+        room = shown.margins(canvas);
+        shown.draw(canvas);
     } else {
         outline(canvas, frame, canvas.line_width());
     }

@@ -37,6 +37,8 @@ struct MapPanelSettings {
     bool axes = true;  ///< x and y in metres, millimetres, kilometres or sites; else a plain frame
     std::string x_label;  ///< with {unit}; empty: x and its unit
     std::string y_label;
+    /// Where the picture's cells lie, for axes with the coordinates of their file.
+    std::optional<WorldScale> coordinates;
     bool y_axis = true;  ///< false: only x has numbers (maps side by side)
     BarPlace colour_bar = BarPlace::right;
     bool scale_bar = false;
@@ -72,6 +74,7 @@ class MapPanel : public PanelContent {
 
   private:
     [[nodiscard]] Axes axes_in(const CanvasBox& frame) const;
+    [[nodiscard]] Axes shown_axes(const CanvasBox& frame) const;
     void draw_flow(Canvas& canvas, const Axes& axes) const;
     void draw_contours_over(Canvas& canvas, const CanvasBox& frame) const;
     void draw_lines(Canvas& canvas, const CanvasBox& frame) const;

@@ -116,6 +116,10 @@ std::uint8_t level(double display_share) {
 
 }  // namespace
 
+const char* usual_palette(Colouring colour_by) {
+    return quantity_of(colour_by, {}, {0.0, 1.0}).palette;
+}
+
 std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const Snapshot> snapshots,
                                      const Snapshot& first, const RangeTails& tails) {
     std::pair<double, double> range{std::numeric_limits<double>::max(),

@@ -23,6 +23,10 @@ struct MapPicture {
     ColourScale colours;
 };
 
+/// The palette in which a quantity is shown where look.palette is "sand", that of beds seen as
+/// sand.
+const char* usual_palette(Colouring colour_by);
+
 /// A picture of what look.colour_by says, with look's palette ("sand", the one for beds seen as
 /// sand, gives way to one that suits the quantity) and range, in metres or millimetres of height
 /// where the snapshot has metres. `first` is the reference of "change". Natural colouring shows the

@@ -7,9 +7,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
+
+#include "figure/panels/block_coordinates.h"
 
 namespace fumon {
 
@@ -18,6 +21,7 @@ namespace {
 constexpr double corner_text = 0.95;         // of the font size
 constexpr double furniture_apart = 0.4;      // pieces of furniture, font sizes
 constexpr double bar_off_edge = 0.04;        // of the block's longer side
+constexpr double farthest_bar = 0.8;         // likewise, where coordinates stand along the edge
 constexpr double longest_bar_of_edge = 0.4;  // of the edge
 
 /// An edge of the block on the ground, in metres or sites, and which way is out.
@@ -61,10 +65,39 @@ GroundEdge facing_edge(const ViewPicture& picture) {
         });
 }
 
+/// The same of ground with data whose hull is no rectangle along x and y: of its edges the one that
+/// faces the camera most over the longest way.
+std::optional<GroundEdge> facing_hull_edge(const ViewPicture& picture) {
+    const Block& block = picture.block;
+    if (block.outline.empty()) return std::nullopt;
+    const std::vector<glm::dvec2> hull = hull_of(block.outline);
+    const glm::dvec2 whole(block.width_x, block.width_y);
+    const glm::dvec2 to_camera(-picture.camera.forward.x, -picture.camera.forward.y);
+    std::optional<GroundEdge> best;
+    double most = 0.0;
+    bool oblique = false;
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const glm::dvec2 from = (hull[i] + 0.5 * whole) * block.side;
+        const glm::dvec2 to = (hull[(i + 1) % hull.size()] + 0.5 * whole) * block.side;
+        const double length = glm::length(to - from);
+        if (!(length > 0.0)) continue;
+        const glm::dvec2 along = (to - from) / length;
+        constexpr double rounding = 1e-9;
+        oblique |= std::min(std::abs(along.x), std::abs(along.y)) > rounding;
+        const glm::dvec2 outward(along.y, -along.x);
+        const double facing = length * glm::dot(outward, to_camera);
+        if (facing <= most) continue;
+        most = facing;
+        best = GroundEdge{from, along, outward, length};
+    }
+    return oblique ? best : std::nullopt;
+}
+
 }  // namespace
 
 /// Where the furniture stands.
 struct ViewPanel::Placement {
+    double bar_off = bar_off_edge;
     GroundBar bar;
     CanvasBox bar_box;
     CanvasBox label;
@@ -82,8 +115,12 @@ double ViewPanel::aspect() const {
 }
 
 GroundBar ViewPanel::ground_bar(const CanvasBox& frame) const {
-    const GroundEdge edge = facing_edge(picture_);
-    const glm::dvec2 from = edge.from + bar_off_edge * picture_.block.side * edge.outward;
+    return bar_beside(frame, bar_off_edge);
+}
+
+GroundBar ViewPanel::bar_beside(const CanvasBox& frame, double off) const {
+    const GroundEdge edge = facing_hull_edge(picture_).value_or(facing_edge(picture_));
+    const glm::dvec2 from = edge.from + off * picture_.block.side * edge.outward;
     return ground_scale_bar(picture_.in(frame), picture_.in_metres, from, edge.along,
                             longest_bar_of_edge * edge.length, picture_.block.base);
 }
@@ -112,9 +149,20 @@ ViewPanel::Placement ViewPanel::place(const Canvas& canvas, const CanvasBox& fra
     const double gap = furniture_apart * canvas.font_size();
     Placement placement;
     std::vector<CanvasBox> taken;
+    if (settings_.coordinates) {
+        for (const CoordinateMark& mark : marks_in(canvas, frame))
+            taken.push_back(grown(mark.box, 0.25 * gap));
+    }
     if (settings_.scale_bar) {
-        placement.bar = ground_bar(frame);
-        placement.bar_box = ground_bar_box(canvas, placement.bar);
+        const auto meets = [&] {
+            return std::ranges::any_of(taken, [&](const CanvasBox& text) {
+                return overlap(grown(placement.bar_box, gap), text);
+            });
+        };
+        do {
+            placement.bar = bar_beside(frame, placement.bar_off);
+            placement.bar_box = ground_bar_box(canvas, placement.bar);
+        } while (meets() && (placement.bar_off += bar_off_edge) < farthest_bar);
         taken.push_back(placement.bar_box);
     }
     double next = frame.x;  // of the pieces below the picture
@@ -168,6 +216,34 @@ ViewPanel::Placement ViewPanel::place(const Canvas& canvas, const CanvasBox& fra
     return placement;
 }
 
+/// The coordinates along the block, which stand beside it, in the frame or around it.
+std::vector<CoordinateMark> ViewPanel::marks_in(const Canvas& canvas,
+                                                const CanvasBox& frame) const {
+    const BlockCoordinates shown =
+        block_coordinates(picture_.in(frame), picture_.scale, picture_.length_x, picture_.length_y);
+    constexpr double anywhere = 1.0;  // of the frame's sides
+    return coordinate_marks(canvas, shown.axes, {},
+                            grown(frame, anywhere * std::max(frame.width, frame.height)));
+}
+
+void ViewPanel::draw_coordinates(Canvas& canvas, const CanvasBox& frame) const {
+    const BlockCoordinates shown =
+        block_coordinates(picture_.in(frame), picture_.scale, picture_.length_x, picture_.length_y);
+    for (const std::vector<CanvasPoint>& line : shown.lines)
+        canvas.stroke(line, canvas.line_width(), coordinate_ink);
+    draw_coordinate_marks(canvas, marks_in(canvas, frame), 0.0);
+}
+
+void ViewPanel::draw_contours_over(Canvas& canvas, const CanvasBox& frame) const {
+    if (picture_.contours.empty()) return;
+    std::vector<CanvasContour> lines = picture_.contours;
+    for (CanvasContour& line : lines) {
+        for (CanvasPoint& point : line.points)
+            point = {frame.x + frame.width * point.x, frame.y + frame.height * point.y};
+    }
+    draw_contours(canvas, frame, lines, picture_.contour_interval);
+}
+
 PanelMargins ViewPanel::margins(const Canvas& canvas, double width, double height) const {
     return with_colour_bar(canvas, place(canvas, {0.0, 0.0, width, height}).margins,
                            settings_.colour_bar, settings_.colours, width, height);
@@ -181,8 +257,10 @@ void ViewPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
         box->x += frame.x;
         box->y += frame.y;
     }
-    placement.bar = ground_bar(frame);
+    placement.bar = bar_beside(frame, placement.bar_off);
     canvas.draw(picture_.image, frame);
+    draw_contours_over(canvas, frame);
+    if (settings_.coordinates) draw_coordinates(canvas, frame);
     const GroundAxes axes = seen_axes(picture_.in(frame));
     const auto text = [&](const std::string& words, const CanvasBox& box) {
         canvas.write(words, {box.x, box.y}, {0.0, 0.0}, {}, corner_text);

@@ -2,12 +2,14 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "figure/canvas/panel.h"
 #include "figure/panels/colour_bar.h"
 #include "figure/panels/ground_arrow.h"
 #include "figure/panels/scale_bar.h"
 #include "figure/panels/view_picture.h"
+#include "figure/plot/coordinate_marks.h"
 
 namespace fumon {
 
@@ -18,6 +20,7 @@ struct ViewSettings {
     std::string label;                     ///< in the upper left corner: "t = 100 s"
     std::optional<GroundDirection> arrow;  ///< of the wind or the flow, as seen
     bool compass = false;
+    bool coordinates = false;  ///< of the bed's file, along the block's lower edges
     BarPlace colour_bar = BarPlace::none;
     ColourScale colours;  ///< of the bar
 };
@@ -39,7 +42,12 @@ class ViewPanel : public PanelContent {
 
   private:
     struct Placement;
+    [[nodiscard]] GroundBar bar_beside(const CanvasBox& frame, double off) const;
     [[nodiscard]] Placement place(const Canvas& canvas, const CanvasBox& frame) const;
+    [[nodiscard]] std::vector<CoordinateMark> marks_in(const Canvas& canvas,
+                                                       const CanvasBox& frame) const;
+    void draw_contours_over(Canvas& canvas, const CanvasBox& frame) const;
+    void draw_coordinates(Canvas& canvas, const CanvasBox& frame) const;
     [[nodiscard]] bool empty(const CanvasBox& frame, const CanvasBox& box) const;
 
     ViewPicture picture_;

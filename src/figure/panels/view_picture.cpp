@@ -4,7 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 
+#include "figure/panels/relief_view.h"
+#include "render/view/framing.h"
 #include "render/view/shown_snapshot.h"
 
 namespace fumon {
@@ -62,12 +65,17 @@ ViewPicture view_picture(const View& view, const Image& image, const Snapshot& f
     const std::optional<Snapshot> averaged = shown_snapshot(first, drawn);
     const Snapshot& shown = averaged ? *averaged : first;
     ViewPicture picture;
-    picture.block = frame_block(shown, exaggeration, view.look.room);
+    picture.block = frame_block(shown, exaggeration, view.look.room, view.look.footing);
     picture.camera = place_camera(view.camera, picture.block,
                                   static_cast<double>(image.width) / image.height, progress);
     picture.in_metres = first.scale.in_metres;
     picture.exaggeration = exaggeration;
-    const Image on_paper = laid_on(image, 255);
+    picture.scale = first.scale;
+    picture.length_x = first.bed.nx() * first.scale.dx;
+    picture.length_y = first.bed.ny() * first.scale.dy;
+    const Image on_paper = view.look.relief == FigureRelief::clear
+                               ? outlined(image, outline_width(view.image))
+                               : laid_on(image, 255);
     const PixelRectangle box = content_of(on_paper);
     picture.image = cut(on_paper, box);
     const double width = picture.image.width;
@@ -75,6 +83,25 @@ ViewPicture view_picture(const View& view, const Image& image, const Snapshot& f
     picture.whole = {-box.left / width, -box.top / height, image.width / width,
                      image.height / height};
     return picture;
+}
+
+double outline_width(const ImageSettings& image) {
+    constexpr double width = 0.5 / 72.0;  // inches
+    return std::max(1.0, width * image.dots_per_inch);
+}
+
+void add_contours(ViewPicture& picture, const View& view, const WordOrReal& asked,
+                  const Snapshot& first, const Snapshot& snapshot) {
+    const std::optional<Snapshot> averaged = shown_snapshot(snapshot, view);
+    const Snapshot& shown = averaged ? *averaged : snapshot;
+    const auto contours = ground_contours(asked, shown);
+    if (!contours) return;
+    const std::optional<Snapshot> averaged_first = shown_snapshot(first, view);
+    ViewProjection projection = picture.in({0.0, 0.0, 1.0, 1.0});
+    projection.block =
+        block_of_frame(picture.block, view.look, averaged_first ? *averaged_first : first, shown);
+    picture.contours = seen_contours(*contours, shown, projection);
+    picture.contour_interval = contours->interval;
 }
 
 }  // namespace fumon

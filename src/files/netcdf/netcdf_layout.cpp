@@ -98,10 +98,10 @@ int define_axis(int file, int dimension, int length, bool eastward, const WorldS
         put_text(file, variable, "axis", eastward ? "X" : "Y");
         return variable;
     }
-    describe(file, variable,
+    put_text(file, variable, "long_name",
              fmt::format("{} {}", in_metres ? "distance" : "site",
-                         eastward ? "eastward (downwind)" : "northward"),
-             in_metres ? "m" : "1");
+                         eastward ? "eastward (downwind)" : "northward"));
+    put_text(file, variable, "units", in_metres ? place.unit : "1");
     if (in_metres)
         put_text(file, variable, "standard_name", fmt::format("projection_{}_coordinate", name));
     return variable;
@@ -211,8 +211,8 @@ FieldsLayout define_fields(int file, const Snapshot& first, const FieldsText& te
     }
     if (first.section) layout.section = define_section(file, dimensions.date, *first.section);
     if (place.has_crs) {
-        put_grid_mapping(file, layout.bed, first.scale);
-        for (const int field : layout.fields) put_grid_mapping(file, field, first.scale);
+        put_grid_mapping(file, layout.bed);
+        for (const int field : layout.fields) put_grid_mapping(file, field);
     }
     check_netcdf(nc_enddef(file));
     if (y) put_centres(file, *y, bed.ny(), place.south, place.dy);

@@ -2,6 +2,8 @@
 
 #include <netcdf.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "files/crs_kind.h"
@@ -15,14 +17,27 @@ namespace {
 
 constexpr const char* crs_name = "crs";
 
-/// Whether a grid's place counts metres: as its scale does, or those of a projection, which need
-/// not be the ground's.
-bool counts_metres(const GeoReference& place, const WorldScale& scale) {
-    constexpr double tolerance = 1e-6;
+/// The unit of a grid's place: that of a projection, whose metres need not be the ground's, or
+/// metres where the place's cells are those of the scale. Empty: none that UDUNITS has a name for.
+std::string unit_of_place(const GeoReference& place, const WorldScale& scale) {
+    struct Length {
+        const char* name;
+        double metres;
+    };
+    constexpr std::array<Length, 4> known{
+        {{"m", 1.0}, {"km", 1000.0}, {"US_survey_foot", 1200.0 / 3937.0}, {"foot", 0.3048}}};
+    constexpr double rounding = 1e-9;  // feet of both kinds differ by 2e-6
     const CrsKind kind = crs_kind(place.crs);
-    if (kind.projected) return kind.metres == 1.0;
-    return std::abs(place.dx / scale.dx - 1.0) < tolerance &&
-           std::abs(place.dy / scale.dy - 1.0) < tolerance;
+    if (kind.projected) {
+        const auto* found = std::ranges::find_if(known, [&](const Length& unit) {
+            return std::abs(kind.metres / unit.metres - 1.0) < rounding;
+        });
+        return found == known.end() ? "" : found->name;
+    }
+    constexpr double tolerance = 1e-6;
+    const bool in_metres = std::abs(place.dx / scale.dx - 1.0) < tolerance &&
+                           std::abs(place.dy / scale.dy - 1.0) < tolerance;
+    return in_metres ? "m" : "";
 }
 
 std::optional<GridMapping> mapping_of(const GeoReference& place) {
@@ -38,12 +53,18 @@ std::optional<GridMapping> mapping_of(const GeoReference& place) {
 }  // namespace
 
 FilePlace place_in_file(const WorldScale& scale) {
-    const bool lies = scale.in_metres && scale.place &&
-                      (scale.place->degrees || counts_metres(*scale.place, scale));
-    if (!lies) return {0.0, 0.0, scale.dx, scale.dy};
+    const FilePlace from_corner{0.0, 0.0, scale.dx, scale.dy};
+    if (!scale.in_metres || !scale.place) return from_corner;
     const GeoReference& place = *scale.place;
-    return {place.west, place.south,   place.dx,
-            place.dy,   place.degrees, place.degrees || !place.crs.empty()};
+    const std::string unit = place.degrees ? "degrees" : unit_of_place(place, scale);
+    if (unit.empty()) return from_corner;
+    return {place.west,
+            place.south,
+            place.dx,
+            place.dy,
+            place.degrees,
+            unit,
+            place.degrees || !place.crs.empty()};
 }
 
 void define_crs(int file, const WorldScale& scale) {
@@ -52,21 +73,21 @@ void define_crs(int file, const WorldScale& scale) {
     put_text(file, variable, "long_name", "coordinate reference system");
     if (const auto mapping = mapping_of(*scale.place)) {
         put_text(file, variable, "grid_mapping_name", mapping->name);
-        for (const auto& [name, values] : mapping->attributes)
+        const double metres = crs_kind(scale.place->crs).metres;
+        for (auto [name, values] : mapping->attributes) {
+            // By CF in the unit of the coordinates.
+            if (name == "false_easting" || name == "false_northing") values.front() /= metres;
             check_netcdf(nc_put_att_double(file, variable, name.c_str(), NC_DOUBLE, values.size(),
                                            values.data()));
+        }
     }
     if (scale.place->crs.empty()) return;
     put_text(file, variable, "crs_wkt", scale.place->crs);
     put_text(file, variable, "spatial_ref", scale.place->crs);
 }
 
-void put_grid_mapping(int file, int field, const WorldScale& scale) {
-    if (mapping_of(*scale.place)) {
-        put_text(file, field, "grid_mapping", crs_name);
-    } else {
-        put_text(file, field, "spatial_ref", scale.place->crs);
-    }
+void put_grid_mapping(int file, int field) {
+    put_text(file, field, "grid_mapping", crs_name);
 }
 
 }  // namespace fumon

@@ -14,12 +14,13 @@ struct FilePlace {
     double dx = 1.0;
     double dy = 1.0;
     bool degrees = false;
-    bool has_crs = false;  ///< a variable `crs` tells the coordinate reference system
+    std::string unit = "m";  ///< of coordinates that are lengths, as UDUNITS knows it
+    bool has_crs = false;    ///< a variable `crs` tells the coordinate reference system
 };
 
-/// Where a grid lies in a file: in its reference system where that counts metres or degrees (its
-/// cells are then the system's, not the ground's), else (sites, feet, or nowhere) from its
-/// south-west corner.
+/// Where a grid lies in a file: in its reference system where that counts degrees or a length that
+/// UDUNITS knows (metres, kilometres, feet; its cells are then the system's, not the ground's),
+/// else (sites, links, or nowhere) in metres or sites from its south-west corner.
 FilePlace place_in_file(const WorldScale& scale);
 
 /// Defines the scalar variable `crs` of a scale whose place has one: grid_mapping_name and its
@@ -28,8 +29,9 @@ FilePlace place_in_file(const WorldScale& scale);
 /// Throws NetcdfFault.
 void define_crs(int file, const WorldScale& scale);
 
-/// Says that a field lies in that system. A grid_mapping without a grid_mapping_name is none by CF,
-/// so where CF does not know the projection the field says by its own spatial_ref where it lies.
-void put_grid_mapping(int file, int field, const WorldScale& scale);
+/// Says that a field lies in that system. By CF a grid_mapping has a grid_mapping_name, which there
+/// is none of for Krovak's projection and others that CF does not know; GDAL finds their crs_wkt by
+/// grid_mapping alone, so that they have one all the same. A system in degrees is always known.
+void put_grid_mapping(int file, int field);
 
 }  // namespace fumon

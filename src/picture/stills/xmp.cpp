@@ -1,6 +1,7 @@
 #include "picture/stills/xmp.h"
 
 #include <fmt/format.h>
+#include <openssl/evp.h>
 
 #include <algorithm>
 #include <array>
@@ -9,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
-#include "files/hash.h"
+#include "picture/markup.h"
 
 namespace fumon {
 
@@ -34,33 +35,34 @@ struct Entity {
     std::string_view name;
 };
 
-// A line's ends are escaped too, since readers of XML may change them.
-constexpr std::array<Entity, 8> entities{{{'&', "&amp;"},
-                                          {'<', "&lt;"},
-                                          {'>', "&gt;"},
-                                          {'"', "&quot;"},
-                                          {'\'', "&apos;"},
-                                          {'\r', "&#13;"},
-                                          {'\n', "&#10;"},
-                                          {'\t', "&#9;"}}};
+constexpr std::array<Entity, 5> entities{
+    {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&apos;"}}};
 
+/// As markup_text(), but a line's ends and tabs stay, escaped, since readers of XML may change
+/// them.
 std::string to_xml(std::string_view text) {
     std::string xml;
     while (!text.empty()) {
-        const auto* entity = std::ranges::find(entities, text.front(), &Entity::character);
-        const std::size_t length = std::max<std::size_t>(utf8_length(text), 1);
-        const bool control = static_cast<unsigned char>(text.front()) < 32;
-        const bool none = text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");
-        if (entity != entities.end()) {
-            xml += entity->name;
-        } else if (control || none || utf8_length(text) == 0) {
-            xml += '?';
-        } else {
-            xml += text.substr(0, length);
-        }
-        text.remove_prefix(length);
+        const std::size_t plain = std::min(text.find_first_of("\r\n\t"), text.size());
+        xml += markup_text(text.substr(0, plain));
+        text.remove_prefix(plain);
+        if (text.empty()) break;
+        xml += fmt::format("&#{};", static_cast<int>(text.front()));
+        text.remove_prefix(1);
     }
     return xml;
+}
+
+/// The MD5 of a text (RFC 1321) in capital hexadecimal digits.
+std::string md5_of(std::string_view text) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    std::size_t length = 0;
+    if (EVP_Q_digest(nullptr, "MD5", nullptr, text.data(), text.size(), digest.data(), &length) !=
+        1)
+        throw Error("the MD5 of OpenSSL's libcrypto does not work here, which names XMP's parts");
+    std::string digits;
+    for (std::size_t i = 0; i < length; ++i) digits += fmt::format("{:02X}", digest.at(i));
+    return digits;
 }
 
 /// A character in UTF-8; nothing for a number that is none.
@@ -208,11 +210,7 @@ XmpParts xmp_parts(const PictureText& texts, std::size_t most_bytes) {
         (fits ? kept : extended) += element;
     }
     parts.extension = fmt::format("{}{}{}", description_head, extended, description_tail);
-    // Readers compare it and do not compute it, so that any hash does.
-    parts.guid = hex(text_hash(parts.extension)).substr(0, 32);
-    for (char& digit : parts.guid) {
-        if (digit >= 'a') digit = static_cast<char>(digit - 'a' + 'A');
-    }
+    parts.guid = md5_of(parts.extension);
     kept += fmt::format("<{0}>{1}</{0}>\n", extension_element, parts.guid);
     parts.packet = packet_of(kept);
     return parts;

@@ -17,6 +17,7 @@ constexpr double terrain_smoothness = 0.5;  // neighbours' correlation that tell
 constexpr double wanted_relief = 0.12;      // of the longer side: reads as relief at 30° elevation
 constexpr double wanted_carving = 0.04;     // for what water is still to carve
 constexpr std::array<double, 11> steps = {1, 1.5, 2, 3, 5, 10, 15, 20, 30, 50, 100};
+constexpr std::array<double, 4> flattening = {0.1, 0.2, 0.3, 0.5};  // of heights without a unit
 
 constexpr double growth_of_noise = 0.05;  // of the longer side: dunes of 5 sites on 100
 constexpr double growth_of_terrain = 0.01;
@@ -76,9 +77,9 @@ bool is_terrain(const HeightStatistics& heights) {
     return heights.smoothness >= terrain_smoothness;
 }
 
-/// The tangent of the slope that 99 % of the cells stay below, by central differences where both
-/// neighbours are there.
-double steep_slope(const Snapshot& snapshot) {
+/// The tangent of the slope that so many per cent of the cells stay below, by central differences
+/// where both neighbours are there.
+double steep_slope(const Snapshot& snapshot, std::size_t percent = 99) {
     const Grid& bed = snapshot.bed;
     const auto inside = [&](int x, int y) {
         return x >= 0 && x < bed.nx() && y >= 0 && y < bed.ny() &&
@@ -103,7 +104,7 @@ double steep_slope(const Snapshot& snapshot) {
         }
     }
     if (squares.empty()) return 0.0;
-    const auto place = static_cast<std::ptrdiff_t>(squares.size() * 99 / 100);
+    const auto place = static_cast<std::ptrdiff_t>(squares.size() * percent / 100);
     std::nth_element(squares.begin(), squares.begin() + place, squares.end());
     return std::sqrt(squares[static_cast<std::size_t>(place)]);
 }
@@ -173,7 +174,25 @@ double automatic_exaggeration(const Snapshot& first) {
     return chosen;
 }
 
-Block frame_block(const Snapshot& first, double exaggeration, const WordOrReal& room) {
+double figure_exaggeration(const Snapshot& snapshot) {
+    if (snapshot.section || carved_relief(snapshot) > 0.0) return automatic_exaggeration(snapshot);
+    const HeightStatistics heights = height_statistics(snapshot.bed, snapshot.nodata);
+    const double relief = (heights.high - heights.low) * snapshot.scale.height_unit;
+    if (!(relief > 0.0)) return 1.0;
+    // Grain by grain piles are rough, which is no slope of theirs.
+    const double slope = steep_slope(snapshot, snapshot.scale.in_metres ? 99 : 90);
+    const double wanted = wanted_relief * longer_side(snapshot);
+    double chosen = snapshot.scale.in_metres ? steps.front() : flattening.front();
+    const auto try_step = [&](double step) {
+        if (chosen * relief < wanted && step * slope <= steepest_shown) chosen = step;
+    };
+    if (!snapshot.scale.in_metres) std::ranges::for_each(flattening, try_step);
+    std::ranges::for_each(steps, try_step);
+    return chosen;
+}
+
+Block frame_block(const Snapshot& first, double exaggeration, const WordOrReal& room,
+                  const WordOrReal& footing) {
     const HeightStatistics heights = height_statistics(first.bed, first.nodata);
     Block block;
     block.side = longer_side(first);
@@ -192,6 +211,7 @@ Block frame_block(const Snapshot& first, double exaggeration, const WordOrReal& 
     if (!terrain && carved == 0.0) lowest = std::min(lowest, lowest_sand);
     const double longer_thickness = std::min(thickness, std::min(block.width_x, block.width_y));
     block.base = block.z(lowest) - longer_thickness;
+    if (!footing.is_word()) block.base = block.z(heights.low - footing.value);
     block.top = block.z(heights.high) + (terrain ? growth_of_terrain : growth_of_noise);
     block.top = std::max(block.top, block.z(first.highest_expected));
     if (!room.is_word()) block.top = block.z(heights.high + room.value);

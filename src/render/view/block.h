@@ -61,12 +61,22 @@ double relief_exaggeration(const Snapshot& first);
 /// they are steeper as they are.
 double automatic_exaggeration(const Snapshot& first);
 
+/// The vertical exaggeration by which the relief of a snapshot reads in a figure: the smallest
+/// round number that makes its relief at least 12 % of the longer side, but no more than the
+/// largest that leaves 99 % of its cells below 45°. At least 1 in metres; heights without a unit,
+/// of which 90 % of the cells count, may be flattened to a tenth. Over water and under a section as
+/// automatic_exaggeration().
+double figure_exaggeration(const Snapshot& snapshot);
+
 /// Frames the first snapshot. `room` says how many model heights stay free above it. "auto": up to
 /// where the model expects its landforms to grow, if it does; else a noise or flat bed gets room
 /// for landforms 5 % of the longer side high and keeps its underside below model height −0.1, to
 /// which the sand models dip; real terrain gets 1 %. Under water the bed has
 /// room below it for half of what its relief lacks of ten depths, at most 5 % of the longer side.
+/// `footing`: how many model heights the underside lies below the lowest place, where that is a
+/// number.
 Block frame_block(const Snapshot& first, double exaggeration,
-                  const WordOrReal& room = {"auto", 0.0});
+                  const WordOrReal& room = {"auto", 0.0},
+                  const WordOrReal& footing = {"auto", 0.0});
 
 }  // namespace fumon

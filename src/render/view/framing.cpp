@@ -213,7 +213,7 @@ Block framed_block(const View& view, const Snapshot& first) {
     const double exaggeration = !wanted.is_word()         ? wanted.value
                                 : wanted.word == "relief" ? relief_exaggeration(first)
                                                           : automatic_exaggeration(first);
-    Block block = frame_block(first, exaggeration, view.look.room);
+    Block block = frame_block(first, exaggeration, view.look.room, view.look.footing);
     block.eye = place_in_block(view.camera.at, first, block);
     block.look_at = place_in_block(view.camera.look_at, first, block);
     if (block.eye)

@@ -123,6 +123,25 @@ void list_place_keys(PanelSettings& panel, const std::string& path, KeyTable& ta
                {.range = {0.1, 0.9}, .help = "share of that panel's frame, along both sides"});
 }
 
+void list_view_panel_keys(PanelSettings& panel, const std::string& path, KeyTable& table) {
+    table.choice(
+        path + ".relief", panel.relief,
+        {{PanelRelief::clear, "clear",
+          "look.relief = \"clear\" with a thin block; the sun across the crests unless the "
+          "scene sets another, and the exaggeration that shows the relief unless "
+          "look.exaggeration is a number"},
+         {PanelRelief::scene, "scene",
+          "light, exaggeration and block of the scene's frames in look.mode = "
+          "\"figure\""}},
+        {.help = "how a view shows heights", .earlier = {"0.3.0", "\"scene\""}});
+    table.choice(path + ".colours", panel.colours,
+                 {{PanelColours::automatic, "auto",
+                   "as look.colour_by says; where that is \"natural\", plain"},
+                  {PanelColours::plain, "plain", "one pale colour, shaded"},
+                  {PanelColours::height, "height", "by height, with a colour bar"}},
+                 {.help = "of a view of the bed with relief = \"clear\""});
+}
+
 void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& table) {
     table.text(path + ".scene", panel.scene,
                {.help = "another scene's file, relative to this one; empty: this scene"});
@@ -170,15 +189,20 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
     table.boolean(path + ".shading_from_all_sides", panel.shading_from_all_sides,
                   {.help = "hill shading by light from four sides, so that no crest lies along it; "
                            "false: from the north-west"});
-    table.word_or_real(path + ".contours", panel.contours,
-                       {{"none", "no lines"}, {"auto", "a round interval: up to 16 lines"}},
-                       {.unit = "m",
-                        .range = {0, 1e6, true},
-                        .help = "between lines of equal height on a map, every fifth labelled; "
-                                "model heights where there are no metres"});
+    table.word_or_real(
+        path + ".contours", panel.contours,
+        {{"none", "no lines"}, {"auto", "a round interval: up to 16 lines"}},
+        {.unit = "m",
+         .range = {0, 1e6, true},
+         .help = "between lines of equal height on a map or view, every fifth labelled; "
+                 "model heights where there are no metres"});
+    list_view_panel_keys(panel, path, table);
     table.boolean(path + ".axes", panel.axes, {.help = "ticks and labels around a map"});
+    table.boolean(path + ".coordinates", panel.coordinates,
+                  {.help = "the coordinates of the terrain's file: in place of x and y around a "
+                           "map, and along the edges of a view's block"});
     table.boolean(path + ".colour_bar", panel.colour_bar,
-                  {.help = "beside the last of the panel's pictures"});
+                  {.help = "beside the last of the panel's pictures, where colours mean numbers"});
     table.boolean(path + ".scale_bar", panel.scale_bar,
                   {.help = "in a map (of the first step) or view"});
     table.boolean(path + ".vectors", panel.vectors,

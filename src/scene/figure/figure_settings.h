@@ -72,6 +72,8 @@ struct RangeBoxSettings {
 
 enum class PanelArrow { none, wind, flow, north, wind_and_north, flow_and_north };
 enum class PanelRange { shared, own };
+enum class PanelRelief { clear, scene };
+enum class PanelColours { automatic, plain, height };
 enum class PanelLegend {
     automatic,
     none,
@@ -108,8 +110,11 @@ struct PanelSettings {
     bool palette_reversed = false;
     double shading = 0.0;  ///< hill shading of a map
     bool shading_from_all_sides = false;
-    WordOrReal contours{"none", 0.0};  ///< metres between lines of equal height on a map
+    WordOrReal contours{"none", 0.0};                ///< metres between lines of equal height
+    PanelRelief relief = PanelRelief::clear;         ///< of a view
+    PanelColours colours = PanelColours::automatic;  ///< likewise
     bool axes = true;
+    bool coordinates = false;  ///< of the terrain's file, along a map or a view's block
     bool colour_bar = true;
     bool scale_bar = false;
     bool vectors = false;  ///< arrows of the water's velocity on a map

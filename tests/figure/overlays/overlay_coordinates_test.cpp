@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "base/error.h"
-#include "figure/overlays/coordinate_scale.h"
 #include "figure/overlays/frame_overlays.h"
 #include "figure/overlays/overlay.h"
+#include "figure/plot/coordinate_scale.h"
 #include "render/view/camera.h"
 #include "support/overlay_scenes.h"
 

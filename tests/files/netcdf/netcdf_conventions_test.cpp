@@ -90,7 +90,8 @@ TEST(NetcdfConventions, NoIntegerIsWiderThan32Bits) {
     EXPECT_EQ(NetcdfContent(folder / "fields.nc").text("", "seed"), "1099511627776");
 }
 
-TEST(NetcdfConventions, AGridMappingHasItsNameAndParametersOrIsNone) {
+/// GDAL finds a crs_wkt by grid_mapping alone.
+TEST(NetcdfConventions, AGridMappingHasItsNameAndParametersWhereCfKnowsThem) {
     const TemporaryFolder folder;
     const auto written = [&](const std::string& crs) {
         Snapshot first = snapshot(0);
@@ -110,9 +111,76 @@ TEST(NetcdfConventions, AGridMappingHasItsNameAndParametersOrIsNone) {
     EXPECT_EQ(known.number("crs", "inverse_flattening"), 298.257223563);
     EXPECT_EQ(known.text("crs", "crs_wkt"), utm);
     const NetcdfContent unknown = written("PROJCRS[\"a\"]");
-    EXPECT_EQ(unknown.text("bed_height", "grid_mapping"), "");
-    EXPECT_EQ(unknown.text("water_depth", "spatial_ref"), "PROJCRS[\"a\"]");
+    EXPECT_EQ(unknown.text("bed_height", "grid_mapping"), "crs");
+    EXPECT_EQ(unknown.text("water_depth", "grid_mapping"), "crs");
+    EXPECT_EQ(unknown.text("crs", "crs_wkt"), "PROJCRS[\"a\"]");
     EXPECT_EQ(unknown.text("crs", "grid_mapping_name"), "");
+}
+
+TEST(NetcdfConventions, CoordinatesAreInTheUnitOfTheirSystem) {
+    struct Expected {
+        const char* in_wkt;
+        const char* units;
+        double first_x;
+    };
+    for (const auto& [in_wkt, units, first_x] :
+         {Expected{"\"US survey foot\",0.304800609601219", "US_survey_foot", 6000005.0},
+          Expected{"\"foot\",0.3048", "foot", 6000005.0},
+          Expected{"\"kilometre\",1000", "km", 6000005.0}, Expected{"\"metre\",1", "m", 6000005.0},
+          Expected{"\"link\",0.201168", "m", 1.0}}) {
+        const TemporaryFolder folder;
+        Snapshot first = snapshot(0);
+        const std::string crs = std::string("PROJCS[\"a\",UNIT[") + in_wkt + "]]";
+        first.scale.place = {6000000.0, 1800000.0, 10.0, 20.0, false, crs};
+        write(folder / "fields.nc", first);
+        const NetcdfContent content(folder / "fields.nc");
+        EXPECT_EQ(content.text("x", "units"), units);
+        EXPECT_EQ(content.text("y", "units"), units);
+        EXPECT_EQ(content.text("x", "standard_name"), "projection_x_coordinate");
+        EXPECT_EQ(content.values("x").front(), first_x) << in_wkt;
+        const bool lies = first_x > 1.0;
+        EXPECT_EQ(content.text("bed_height", "grid_mapping"), lies ? "crs" : "") << in_wkt;
+    }
+}
+
+TEST(NetcdfConventions, FalseEastingsAreInTheUnitOfTheCoordinates) {
+    const TemporaryFolder folder;
+    Snapshot first = snapshot(0);
+    first.scale.place = {6000000.0,
+                         1800000.0,
+                         10.0,
+                         20.0,
+                         false,
+                         R"(PROJCS["a",GEOGCS["b",DATUM["c",SPHEROID["d",6378137,298.25]],)"
+                         R"(PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]],)"
+                         R"(PROJECTION["Transverse_Mercator"],PARAMETER["central_meridian",-105],)"
+                         R"(PARAMETER["false_easting",500000],UNIT["foot",0.3048]])"};
+    write(folder / "fields.nc", first);
+    EXPECT_NEAR(NetcdfContent(folder / "fields.nc").number("crs", "false_easting"), 500000.0, 1e-6)
+        << "feet";
+}
+
+/// What GDAL reads of files whose system CF has no name for, or that count feet.
+TEST(NetcdfConventions, GdalPlacesEverySystem) {
+    if (std::system("command -v gdalinfo gdalsrsinfo > /dev/null") != 0)
+        GTEST_SKIP() << "no gdalinfo here";
+    for (const char* code : {"EPSG:5514", "EPSG:2056", "EPSG:28992", "EPSG:2229", "EPSG:2264"}) {
+        const TemporaryFolder folder;
+        std::string crs =
+            test::run_command(std::string("gdalsrsinfo --single-line -o wkt2_2019 ") + code).words;
+        while (!crs.empty() && (crs.back() == '\n' || crs.back() == ' ')) crs.pop_back();
+        Snapshot first = snapshot(0);
+        first.scale.place = {600000.0, 200000.0, 10.0, 20.0, false, crs};
+        write(folder / "fields.nc", first);
+        const std::string said =
+            test::run_command("gdalinfo NETCDF:" + (folder / "fields.nc").string() +
+                              ":bed_height 2>&1 | grep -v '#'")
+                .words;
+        const std::string epsg = std::string(code).substr(5);
+        EXPECT_NE(said.find("ID[\"EPSG\"," + epsg + "]]"), std::string::npos) << code << said;
+        EXPECT_NE(said.find("Origin = (600000.0"), std::string::npos) << code << said;
+        EXPECT_NE(said.find("Pixel Size = (10.0"), std::string::npos) << code << said;
+    }
 }
 
 TEST(NetcdfConventions, UdunitsKnowsEveryUnitThatModelsGive) {

@@ -98,7 +98,7 @@ TEST(NetcdfFields, LiesWhereItsTerrainLay) {
     EXPECT_EQ(metric.values("y").back(), 4400013.5);
     EXPECT_EQ(metric.text("x", "units"), "m");
     EXPECT_EQ(metric.text("crs", "crs_wkt"), "PROJCRS[\"a\"]");
-    EXPECT_EQ(metric.text("water_depth", "spatial_ref"), "PROJCRS[\"a\"]");
+    EXPECT_EQ(metric.text("water_depth", "grid_mapping"), "crs");
     const NetcdfContent degrees = write({-105.5, 40.0, 0.25, 0.125, true, ""});
     EXPECT_EQ(degrees.values("x").back(), -105.5 + 6.5 * 0.25);
     EXPECT_EQ(degrees.values("y").front(), 40.0625);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 
 #include "base/error.h"
@@ -10,6 +11,7 @@
 #include "picture/stills/jpeg.h"
 #include "picture/stills/webp.h"
 #include "picture/stills/xmp.h"
+#include "support/command.h"
 #include "support/temporary_folder.h"
 
 namespace fumon {
@@ -168,6 +170,21 @@ TEST(Xmp, IsReadAsOtherProgramsWriteIt) {
               wanted);
     EXPECT_TRUE(texts_of_xmp("<a b='c").empty());
     EXPECT_TRUE(texts_of_xmp("no XMP").empty());
+}
+
+/// As the standard asks; md5sum is of another hand.
+TEST(Xmp, AnExtensionIsNamedByItsMd5) {
+    PictureText texts{{"Software", "fumon 1"}};
+    texts.emplace_back("fumon:scene", "a \"tab\"\tand\nlines & <b>" + std::string(3000, 'x'));
+    const XmpParts parts = xmp_parts(texts, 1500);
+    const TemporaryFolder folder;
+    write_file(folder / "extension", parts.extension);
+    std::string digits =
+        test::run_command("md5sum < '" + (folder / "extension").string() + "'").words.substr(0, 32);
+    for (char& digit : digits) digit = static_cast<char>(std::toupper(digit));
+    EXPECT_EQ(parts.guid, digits);
+    EXPECT_EQ(extension_of_xmp(parts.packet), digits);
+    EXPECT_EQ(texts_of_xmp(parts.extension), (PictureText{texts.back()}));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "figure/overlays/coordinate_marks.h"
+#include "figure/plot/coordinate_marks.h"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@ namespace fumon {
 namespace {
 
 constexpr double tick_length = 0.45;  // font sizes, as are the others
-constexpr double gap = 0.25;          // between a tick and its text
-constexpr double apart = 0.5;         // between texts
+constexpr double text_gap = 0.25;     // between a tick and its text
+constexpr double texts_apart = 0.5;   // between texts
 constexpr int most_marks = 8;
 constexpr int least_marks = 2;
 
@@ -62,8 +62,8 @@ std::vector<CoordinateMark> marks_of(const Canvas& canvas, const CoordinateAxis&
                              from->y + tick_length * font * way.y};
         auto [width, height] = canvas.text_size(ticks.labels[i]);
         if (axis.upright) std::swap(width, height);
-        const CanvasBox box = clear_of_axis(box_beyond(to, way, width, height, gap * font), axis,
-                                            place, *from, way, 2.0 * gap * font);
+        const CanvasBox box = clear_of_axis(box_beyond(to, way, width, height, text_gap * font),
+                                            axis, place, *from, way, 2.0 * text_gap * font);
         marks.push_back({*from, to, ticks.labels[i], box, axis.upright});
     }
     return marks;
@@ -84,22 +84,21 @@ std::vector<CoordinateMark> densest_marks(const Canvas& canvas, const Coordinate
     std::vector<CoordinateMark> marks;
     for (int most = most_marks; most >= least_marks; --most) {
         marks = marks_of(canvas, axis, most, side);
-        if (!overlap_one_another(marks, apart * canvas.font_size())) break;
+        if (!overlap_one_another(marks, texts_apart * canvas.font_size())) break;
     }
     return marks;
 }
 
-/// Those of some marks that have room on a canvas beside boxes that are taken.
+/// Those of some marks that have room in a picture beside boxes that are taken.
 std::vector<CoordinateMark> with_room(const Canvas& canvas, std::span<const CoordinateMark> marks,
-                                      std::vector<CanvasBox> taken) {
+                                      std::vector<CanvasBox> taken, const CanvasBox& picture) {
     const double font = canvas.font_size();
-    const CanvasBox picture{0.0, 0.0, canvas.width(), canvas.height()};
     std::vector<CoordinateMark> kept;
     for (const CoordinateMark& mark : marks) {
-        const CanvasBox around = grown(mark.box, apart * font);
+        const CanvasBox around = grown(mark.box, texts_apart * font);
         const bool meets =
             std::ranges::any_of(taken, [&](const CanvasBox& box) { return overlap(around, box); });
-        if (meets || !within(grown(mark.box, 0.5 * gap * font), picture)) continue;
+        if (meets || !within(grown(mark.box, 0.5 * text_gap * font), picture)) continue;
         kept.push_back(mark);
         taken.push_back(mark.box);
     }
@@ -110,14 +109,15 @@ std::vector<CoordinateMark> with_room(const Canvas& canvas, std::span<const Coor
 
 std::vector<CoordinateMark> coordinate_marks(const Canvas& canvas,
                                              std::span<const CoordinateAxis> axes,
-                                             std::span<const CanvasBox> taken) {
+                                             std::span<const CanvasBox> taken,
+                                             const CanvasBox& room) {
     std::vector<CoordinateMark> all;
     std::vector<CanvasBox> boxes(taken.begin(), taken.end());
     for (const CoordinateAxis& axis : axes) {
         const std::vector<CoordinateMark> outside = densest_marks(canvas, axis, 1.0);
-        std::vector<CoordinateMark> kept = with_room(canvas, outside, boxes);
+        std::vector<CoordinateMark> kept = with_room(canvas, outside, boxes, room);
         if (2 * kept.size() < outside.size()) {
-            auto inside = with_room(canvas, densest_marks(canvas, axis, -1.0), boxes);
+            auto inside = with_room(canvas, densest_marks(canvas, axis, -1.0), boxes, room);
             if (inside.size() > kept.size()) kept = std::move(inside);
         }
         for (CoordinateMark& mark : kept) {

@@ -1,4 +1,4 @@
-#include "figure/overlays/coordinate_scale.h"
+#include "figure/plot/coordinate_scale.h"
 
 #include <fmt/format.h>
 
@@ -39,6 +39,34 @@ double CoordinateScale::place_of(double coordinate) const {
 
 double CoordinateScale::coordinate_at(double place) const {
     return begin_ + place * per_length_;
+}
+
+CoordinateScale::Range CoordinateScale::range(double length) const {
+    const bool east = axis_ == Axis::east;
+    Range range{begin_, coordinate_at(length), east ? "x" : "y", "sites"};
+    if (lies_somewhere_) range.name = east ? "easting" : "northing";
+    constexpr double kilometre = 1000.0;
+    constexpr double least_in_kilometres = 1e5;  // whose metres are long numbers
+    if (unit_ == Unit::degrees) {
+        range.name = east ? "longitude" : "latitude";
+        range.unit = "°";
+        constexpr double circle = 360.0;
+        if (east && range.low > 0.5 * circle) {  // of 0 to 360
+            range.low -= circle;
+            range.high -= circle;
+        }
+    } else if (unit_ == Unit::feet) {
+        range.unit = "ft";
+    } else if (unit_ == Unit::metres &&
+               (range.high - range.low >= kilometre ||
+                std::max(std::abs(range.low), std::abs(range.high)) >= least_in_kilometres)) {
+        range.low /= kilometre;
+        range.high /= kilometre;
+        range.unit = "km";
+    } else if (unit_ == Unit::metres) {
+        range.unit = "m";
+    }
+    return range;
 }
 
 Ticks CoordinateScale::ticks(double length, int most) const {

@@ -20,6 +20,16 @@ class CoordinateScale {
     [[nodiscard]] double place_of(double coordinate) const;
     [[nodiscard]] double coordinate_at(double place) const;
 
+    /// The coordinates as an axis beside a map says them, from the corner to `length` metres or
+    /// sites from it: "easting (km)", "latitude (°)", "x (m)" of a bed that lies nowhere.
+    struct Range {
+        double low;
+        double high;
+        std::string name;
+        std::string unit;
+    };
+    [[nodiscard]] Range range(double length) const;
+
     /// Marks at round coordinates between the corner and `length` metres or sites from it, at most
     /// `most` (2 or more). Each says its unit: "476.5 km E", "4431 km N", "105.4° W", "120 m".
     [[nodiscard]] Ticks ticks(double length, int most) const;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "figure/canvas/canvas.h"
-#include "figure/overlays/coordinate_scale.h"
+#include "figure/plot/coordinate_scale.h"
 
 namespace fumon {
 
@@ -32,11 +32,12 @@ struct CoordinateMark {
 };
 
 /// The marks of some axes: each has the most, up to eight, whose texts do not overlap one another.
-/// Of these, those are left out whose texts leave the canvas or come near boxes that are `taken` or
+/// Of these, those are left out whose texts leave `room` or come near boxes that are `taken` or
 /// texts of the axes before. An axis that would lose more than half of its marks has them on its
 /// other side, where more have room there.
 std::vector<CoordinateMark> coordinate_marks(const Canvas& canvas,
                                              std::span<const CoordinateAxis> axes,
-                                             std::span<const CanvasBox> taken);
+                                             std::span<const CanvasBox> taken,
+                                             const CanvasBox& room);
 
 }  // namespace fumon
