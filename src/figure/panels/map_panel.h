@@ -70,6 +70,10 @@ class MapPanel : public PanelContent {
                                        double height) const override;
     void draw(Canvas& canvas, const CanvasBox& frame) const override;
 
+    /// To be changed before it is drawn.
+    ColourScale& colours() { return picture_.colours; }
+    BarPlace& colour_bar() { return settings_.colour_bar; }
+
   private:
     [[nodiscard]] Axes axes_in(const CanvasBox& frame) const;
     void draw_flow(Canvas& canvas, const Axes& axes) const;
