@@ -98,8 +98,10 @@ void add_remarks(std::vector<std::string>& remarks, const PanelSettings& panel, 
     const bool changes = counts.fewest < counts.most;
     std::string text;
     if (settings.spread != CurveSpread::none && any_bar(curves)) {
-        text = settings.spread == CurveSpread::deviation ? "bars are standard deviations"
-                                                         : "bars are standard errors of the mean";
+        text =
+            fmt::format("{} are {}", settings.bars == SpreadLook::band ? "bands" : "bars",
+                        settings.spread == CurveSpread::deviation ? "standard deviations"
+                                                                  : "standard errors of the mean");
     }
     if (changes || (settings.spread != CurveSpread::none && counts.most > 0)) {
         if (!text.empty()) text += ", ";
@@ -109,6 +111,10 @@ void add_remarks(std::vector<std::string>& remarks, const PanelSettings& panel, 
     if (!text.empty()) remarks.push_back(of + text);
     if (settings.least > 1)
         remarks.push_back(fmt::format("{}points of fewer than {} left out", of, settings.least));
+    if (settings.bars == SpreadLook::band) {
+        if (any_cut(panel, curves, true)) remarks.push_back(of + "the band reaches below zero");
+        return;
+    }
     if (any_cut(panel, curves, true)) remarks.push_back(of + "bars with an arrow reach below zero");
     if (any_cut(panel, curves, false))
         remarks.push_back(of + "bars with an arrow go on beyond the axes");

@@ -137,7 +137,8 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
         MadePanel one;
         const Values own = shared ? values : values_of(picture);
         if (tells_ends(settings)) tell_ends(picture.colours, own);
-        one.remarks.push_back(range_sentence(picture.colours, own));
+        if (!settings.chart.share_colours)
+            one.remarks.push_back(range_sentence(picture.colours, own));
         if (own && (own->second < picture.colours.low || own->first > picture.colours.high)) {
             one.warnings.push_back(
                 fmt::format("all values ({:.4g} to {:.4g}) lie beyond the ends of the colours",
@@ -152,7 +153,10 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
                                       ->write({picture.values, picture.blank,
                                                scale_of_values(picture, subject.snapshots[k])}))
             one.data.push_back({std::move(file.ending), std::move(file.bytes)});
-        one.content = std::make_unique<MapPanel>(std::move(picture), std::move(shown));
+        auto content = std::make_unique<MapPanel>(std::move(picture), std::move(shown));
+        if (settings.chart.share_colours)
+            one.shared = {&content->colours(), &content->colour_bar(), own};
+        one.content = std::move(content);
         made.push_back(std::move(one));
     }
     return made;

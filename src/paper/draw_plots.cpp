@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "base/elementary_power.h"
-#include "base/error.h"
-#include "base/quantity_text.h"
 #include "figure/plot/plot.h"
 #include "paper/curve_remarks.h"
 #include "paper/figure_curve.h"
 #include "paper/figure_tables.h"
 #include "paper/panel_makers.h"
 #include "paper/plot_limits.h"
+#include "paper/plot_parts.h"
 
 namespace fumon {
 
@@ -20,6 +19,7 @@ namespace {
 constexpr std::size_t few_points = 40;  // up to which a curve's points are marked
 
 SeriesKind kind_of(const CurveSettings& settings, const CurvePoints& points) {
+    if (settings.table == CurveTable::expression) return SeriesKind::line;
     switch (settings.style) {
         case CurveStyle::line:
             return SeriesKind::line;
@@ -46,13 +46,30 @@ PlotSeries series_of(const CurveSettings& settings, const CurvePoints& points,
     series.kind = kind_of(settings, points);
     series.x = points.x;
     series.y = points.y;
-    for (const double spread : points.spread)
-        series.y_error.push_back(std::isfinite(spread) ? spread : 0.0);
+    series.with_band = settings.bars == SpreadLook::band;
+    if (settings.bars == SpreadLook::bars) {
+        for (const double spread : points.spread)
+            series.y_error.push_back(std::isfinite(spread) ? spread : 0.0);
+    }
     for (const std::int64_t runs : points.runs) series.hollow.push_back(runs < whole);
     series.ink = look.ink;
     series.marker = look.marker;
     series.dashes = look.dashes;
     return series;
+}
+
+/// As far above and below a curve as its spread; of one run none.
+PlotSeries band_of(const CurvePoints& points, const SeriesLook& look) {
+    PlotSeries band;
+    band.kind = SeriesKind::band;
+    band.x = points.x;
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+        const double spread = std::isfinite(points.spread[i]) ? points.spread[i] : 0.0;
+        band.y.push_back(points.y[i] + spread);
+        band.y_low.push_back(points.y[i] - spread);
+    }
+    band.ink = look.ink;
+    return band;
 }
 
 PlotSeries fit_series(const CurvePoints& points, const SeriesLook& look, bool logarithmic) {
@@ -74,40 +91,6 @@ PlotSeries fit_series(const CurvePoints& points, const SeriesLook& look, bool lo
     return series;
 }
 
-std::string axis_label(const std::string& given, const std::string& name, const std::string& unit) {
-    return label_or(given, quantity_text(name.substr(name.rfind('.') + 1), unit));  // a key's last
-}
-
-PlotAxis axis_of(const std::string& label, bool logarithmic, const WordOrReal& low,
-                 const WordOrReal& high) {
-    PlotAxis axis;
-    axis.label = label;
-    axis.logarithmic = logarithmic;
-    if (!low.is_word()) axis.low = low.value;
-    if (!high.is_word()) axis.high = high.value;
-    return axis;
-}
-
-LegendPlace legend_of(PanelLegend legend) {
-    switch (legend) {
-        case PanelLegend::none:
-            return LegendPlace::none;
-        case PanelLegend::outside:
-            return LegendPlace::right;
-        case PanelLegend::upper_left:
-            return LegendPlace::upper_left;
-        case PanelLegend::upper_right:
-            return LegendPlace::upper_right;
-        case PanelLegend::lower_left:
-            return LegendPlace::lower_left;
-        case PanelLegend::lower_right:
-            return LegendPlace::lower_right;
-        case PanelLegend::automatic:
-            break;
-    }
-    return LegendPlace::automatic;
-}
-
 /// The plot of a panel with these curves, in the order of its settings: `curves[c]` are those of
 /// curve c.
 Plot figure_plot(const PanelSettings& panel, const std::vector<std::vector<CurvePoints>>& curves) {
@@ -118,9 +101,10 @@ Plot figure_plot(const PanelSettings& panel, const std::vector<std::vector<Curve
         const CurveSettings& settings = panel.curves[c];
         const std::int64_t whole = runs_of_whole_points(curves[c]);
         for (const CurvePoints& points : curves[c]) {
-            if (first == nullptr) first = &points;
+            if (first == nullptr || !first->formula.empty()) first = &points;
             const SeriesLook look = series_look(
                 settings.colour > 0 ? static_cast<std::size_t>(settings.colour - 1) : next_look++);
+            if (settings.bars == SpreadLook::band) plot.series.push_back(band_of(points, look));
             plot.series.push_back(series_of(settings, points, look, whole));
             if (points.law) plot.series.push_back(fit_series(points, look, panel.x_logarithmic));
         }
@@ -129,10 +113,8 @@ Plot figure_plot(const PanelSettings& panel, const std::vector<std::vector<Curve
         plot.boxes.push_back({box.label, box.x_low, box.x_high, box.y_low, box.y_high});
     const CurvePoints none;
     if (first == nullptr) first = &none;
-    plot.x = axis_of(axis_label(panel.x_label, first->x_name, first->x_unit), panel.x_logarithmic,
-                     panel.x_low, panel.x_high);
-    plot.y = axis_of(axis_label(panel.y_label, first->y_name, first->y_unit), panel.y_logarithmic,
-                     panel.y_low, panel.y_high);
+    plot.x = x_axis_of(panel, first->x_name, first->x_unit);
+    plot.y = y_axis_of(panel, first->y_name, first->y_unit);
     plot.legend = legend_of(panel.legend);
     return plot;
 }
@@ -144,23 +126,19 @@ bool is_marked(const CurveSettings& settings, const std::vector<CurvePoints>& cu
     });
 }
 
-/// The points of a curve, whose faults are told where the scene asks for it.
-std::vector<CurvePoints> points_of(const CurvePlan& curve, const PanelTools& tools) {
-    try {
-        return curve_points(curve, curve_table(curve, tools.runs, tools.store));
-    } catch (const InputError& fault) {
-        throw InputError(tools.plan.scene.at(curve.path + ".y") + fault.what());
-    } catch (const Error& fault) {
-        throw Error(tools.plan.scene.at(curve.path + ".fit") + fault.what());
-    }
-}
-
 std::vector<MadePanel> make_plots(const PanelSubject& subject, PanelTools& tools) {
     std::vector<MadePanel> made(1);
     std::vector<std::vector<CurvePoints>> curves;
+    ValueRange range;
     for (const CurvePlan& curve : subject.panel.curves) {
         curves.push_back(points_of(curve, tools));
-        for (const CurvePoints& points : curves.back()) {
+        for (const CurvePoints& points : curves.back()) add_x(range, points);
+    }
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+        const CurvePlan& curve = subject.panel.curves[c];
+        if (curve.settings.table == CurveTable::expression)
+            curves[c] = {formula_points(curve, subject.panel.settings, range, tools)};
+        for (const CurvePoints& points : curves[c]) {
             made[0].data.push_back(
                 {fmt::format("-{}.csv", made[0].data.size() + 1), curve_csv(points)});
         }

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "figure/page/page_grid.h"
 #include "outputs/own_file.h"
-#include "paper/caption_facts.h"
+#include "paper/caption/caption_facts.h"
 
 namespace fumon {
 
@@ -31,9 +33,36 @@ std::string after(const std::string& own) {
     return own.empty() ? "" : "; " + own;
 }
 
-std::string curve_sentence(const CurvePlan& curve, std::size_t number, const std::string& own) {
+/// A formula whose exponents that are numbers are raised whole: "x^{0.5}" of "x^0.5".
+std::string formula_text(const std::string& formula) {
+    std::string text;
+    for (std::size_t i = 0; i < formula.size(); ++i) {
+        text += formula[i];
+        const std::size_t end =
+            std::min(formula.find_first_not_of("0123456789.", i + 1), formula.size());
+        if (formula[i] != '^' || end == i + 1) continue;
+        text += '{' + formula.substr(i + 1, end - i - 1) + '}';
+        i = end - 1;
+    }
+    return text;
+}
+
+std::string curve_sentence(const CurvePlan& curve, PanelKind kind, std::size_t number,
+                           const std::string& own) {
     const CurveSettings& settings = curve.settings;
+    if (settings.table == CurveTable::expression) {
+        std::string text =
+            fmt::format("Curve {}: y = {}", number, formula_text(settings.expression));
+        if (!settings.constants.empty())
+            text += fmt::format(", {}", fmt::join(settings.constants, ", "));
+        return text + ".";
+    }
     std::string text = fmt::format("Curve {}: {} over {}", number, settings.y, settings.x);
+    if (kind == PanelKind::histogram)
+        text = fmt::format("Curve {}: values of {}", number, settings.y);
+    if (!settings.z.empty())
+        text =
+            fmt::format("Curve {}: {} over {} and {}", number, settings.z, settings.x, settings.y);
     if (!settings.group_by.empty()) text += fmt::format(", one for each {}", settings.group_by);
     if (!settings.where.empty())
         text += fmt::format(", where {}", fmt::join(settings.where, " and "));
@@ -48,10 +77,9 @@ std::string curve_sentence(const CurvePlan& curve, std::size_t number, const std
                        after(own));
 }
 
-std::string picture_sentence(const PanelPlan& panel, const std::string& own) {
-    const PicturePlan& picture = *panel.picture;
+std::string picture_sentence(const PicturePlan& picture, PanelKind kind, const std::string& own) {
     std::string steps = picture.steps.size() == 1 ? "step " : "steps ";
-    steps += shown_by(panel.settings.kind) == PanelShows::whole_run
+    steps += shown_by(kind) == PanelShows::whole_run
                  ? fmt::format("{} to {}", picture.steps.front(), picture.steps.back())
                  : fmt::format("{}", fmt::join(picture.steps, ", "));
     return fmt::format("{}; seed {}{}.", steps, picture.scene.seed, after(own));
@@ -69,6 +97,7 @@ std::vector<CaptionRun> runs_in_order(const FigurePlan& plan) {
     std::vector<CaptionRun> runs;
     for (const PanelPlan& panel : plan.panels) {
         if (panel.picture) runs.push_back({&panel.picture->scene, {}});
+        if (panel.minus) runs.push_back({&panel.minus->scene, {}});
         for (const CurvePlan& curve : panel.curves) {
             if (curve.sweep) runs.push_back({&curve.scene, varied_keys(*curve.sweep)});
         }
@@ -104,11 +133,14 @@ std::string figure_caption(const FigurePlan& plan,
         text += '\n';
         text += heading(plan, letter, panels, inset);
         if (!inset) letter += panels;
-        if (panel.picture) text += picture_sentence(panel, facts.own(run++)) + "\n";
+        const PanelKind kind = panel.settings.kind;
+        if (panel.picture) text += picture_sentence(*panel.picture, kind, facts.own(run++)) + "\n";
+        if (panel.minus)
+            text += "Minus " + picture_sentence(*panel.minus, kind, facts.own(run++)) + "\n";
         std::size_t number = 0;
         for (const CurvePlan& curve : panel.curves) {
             const std::string own = curve.sweep ? facts.own(run++) : std::string();
-            text += curve_sentence(curve, ++number, own) + "\n";
+            text += curve_sentence(curve, panel.settings.kind, ++number, own) + "\n";
         }
         for (const std::string& remark : remarks[p]) text += capitalized(remark) + ".\n";
         for (const RangeBoxSettings& box : panel.settings.boxes)

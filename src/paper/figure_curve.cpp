@@ -4,102 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "base/error.h"
-#include "base/quantity_text.h"
-#include "files/text_source.h"
 #include "measure/shared/undefined.h"
-#include "scene/placeholders.h"
+#include "paper/curve_rows.h"
 
 namespace fumon {
 
 namespace {
-
-using Rows = std::vector<std::size_t>;
-
-/// "column>=value".
-struct Condition {
-    const TableColumn* column = nullptr;
-    std::string relation;
-    std::string text;
-    double value = 0.0;
-    bool is_number = false;
-
-    [[nodiscard]] bool holds(std::size_t row) const {
-        if (!is_number) return (column->text(row) == text) == (relation == "=");
-        const double cell = column->values[row];
-        if (relation == "=") return cell == value;
-        if (relation == "!=") return cell != value;
-        if (relation == "<") return cell < value;
-        if (relation == "<=") return cell <= value;
-        return relation == ">" ? cell > value : cell >= value;
-    }
-};
-
-Condition read_condition(const std::string& text, const Table& table) {
-    const std::size_t start = std::min(text.find_first_of("=<>!"), text.size());
-    const std::size_t after = std::min(text.find_first_not_of("=<>!", start), text.size());
-    Condition condition{table.find(text.substr(0, start)), text.substr(start, after - start),
-                        text.substr(after), 0.0, false};
-    if (condition.relation == "==") condition.relation.pop_back();
-    const std::vector<std::string> known{"=", "!=", "<", "<=", ">", ">="};
-    const ParsedNumber number = parse_number(condition.text);
-    condition.is_number =
-        number.kind == NumberKind::finite && number.length == condition.text.size();
-    condition.value = number.value;
-    const bool compares = condition.relation != "=" && condition.relation != "!=";
-    if (condition.column == nullptr || condition.text.empty() ||
-        std::find(known.begin(), known.end(), condition.relation) == known.end() ||
-        (compares && !condition.is_number)) {
-        throw InputError(fmt::format(
-            "\"{}\" is no condition; write column=value, column>=value, column<value …", text));
-    }
-    return condition;
-}
-
-/// Whether a row has numbers in x and y, else it is missing data.
-bool has_point(const Table& table, const CurveSettings& settings, std::size_t row) {
-    return std::isfinite(table.find(settings.x)->values[row]) &&
-           std::isfinite(table.find(settings.y)->values[row]);
-}
-
-/// The rows that meet the conditions, missing data among them.
-Rows chosen_rows(const Table& table, const CurveSettings& settings) {
-    std::vector<Condition> conditions;
-    for (const std::string& text : settings.where)
-        conditions.push_back(read_condition(text, table));
-    Rows rows;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        if (std::all_of(conditions.begin(), conditions.end(),
-                        [&](const Condition& condition) { return condition.holds(row); }))
-            rows.push_back(row);
-    }
-    return rows;
-}
-
-/// The rows of each value of settings.group_by, in the order in which the values come up; no group
-/// without a point.
-std::vector<Rows> groups_of(const Table& table, const CurveSettings& settings, const Rows& rows) {
-    const auto is_point = [&](std::size_t row) { return has_point(table, settings, row); };
-    if (settings.group_by.empty()) {
-        if (std::ranges::none_of(rows, is_point)) return {};
-        return {rows};
-    }
-    const TableColumn& by = *table.find(settings.group_by);
-    std::map<std::string, std::size_t> places;
-    std::vector<Rows> groups;
-    for (const std::size_t row : rows) {
-        const auto [place, is_new] = places.emplace(by.text(row), groups.size());
-        if (is_new) groups.emplace_back();
-        groups[place->second].push_back(row);
-    }
-    std::erase_if(groups, [&](const Rows& group) { return std::ranges::none_of(group, is_point); });
-    return groups;
-}
 
 double mean_of(const std::vector<double>& values) {
     double sum = 0.0;
@@ -118,25 +32,8 @@ double spread_of(const std::vector<double>& values, CurveSpread spread) {
     return spread == CurveSpread::standard_error ? deviation / std::sqrt(count) : deviation;
 }
 
-/// Which run each row comes from; of a file's, each row its own.
-std::vector<std::size_t> runs_of_rows(const CurvePlan& curve, const Table& table) {
-    std::vector<std::size_t> runs(table.rows());
-    if (!curve.sweep) {
-        std::iota(runs.begin(), runs.end(), std::size_t{0});
-        return runs;
-    }
-    std::vector<std::string> names = varied_keys(*curve.sweep);
-    names.emplace_back("seed");
-    std::map<std::string, std::size_t> known;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        std::string run;
-        for (const std::string& name : names) run += table.find(name)->text(row) + '\n';
-        runs[row] = known.emplace(std::move(run), known.size()).first->second;
-    }
-    return runs;
-}
-
-void add_points(CurvePoints& points, const CurvePlan& curve, const Table& table, const Rows& rows) {
+void add_points(CurvePoints& points, const CurvePlan& curve, const Table& table,
+                const TableRows& rows) {
     const CurveSettings& settings = curve.settings;
     const TableColumn& x = *table.find(settings.x);
     const TableColumn& y = *table.find(settings.y);
@@ -175,19 +72,6 @@ void add_points(CurvePoints& points, const CurvePlan& curve, const Table& table,
     }
 }
 
-std::string curve_name(const CurvePlan& curve, const Table& table, const Rows& rows) {
-    const CurveSettings& settings = curve.settings;
-    std::string text = settings.name;
-    if (text.empty() && !settings.group_by.empty()) {
-        const std::string& group = settings.group_by;
-        text = in_words(group.substr(group.rfind('.') + 1)) + " = {" + group + "}";
-    }
-    return fill_placeholders(text, [&](const std::string& name) -> std::optional<std::string> {
-        if (const TableColumn* column = table.find(name)) return column->text(rows.front());
-        return key_text(curve.scene, name);
-    });
-}
-
 void fit(CurvePoints& points, const CurveSettings& settings) {
     if (settings.fit == CurveFit::none) return;
     std::vector<double> x;
@@ -208,11 +92,11 @@ void fit(CurvePoints& points, const CurveSettings& settings) {
 
 std::vector<CurvePoints> curve_points(const CurvePlan& curve, const Table& table) {
     const CurveSettings& settings = curve.settings;
-    const Rows rows = chosen_rows(table, settings);
-    const std::vector<Rows> groups = groups_of(table, settings, rows);
+    const TableRows rows = chosen_rows(table, settings);
+    const std::vector<TableRows> groups = groups_of_rows(table, settings, rows);
     if (groups.empty()) throw InputError("no row has numbers in x and y and meets the conditions");
     std::vector<CurvePoints> curves;
-    for (const Rows& group : groups) {
+    for (const TableRows& group : groups) {
         CurvePoints points;
         points.name = curve_name(curve, table, group);
         points.x_name = settings.x;
@@ -233,6 +117,7 @@ std::vector<CurvePoints> curve_points(const CurvePlan& curve, const Table& table
 
 std::string curve_csv(const CurvePoints& points) {
     std::string text;
+    if (!points.formula.empty()) text += fmt::format("# y = {}\n", points.formula);
     if (points.law) {
         text += fmt::format("# fitted to x from {} to {}: {}\n", points.law_low, points.law_high,
                             points.law->text());

@@ -22,6 +22,7 @@ struct CurvePoints {
     /// Runs behind each point, or rows of a file; empty where rows are points, or a file's have no
     /// spread.
     std::vector<std::int64_t> runs;
+    std::string formula;  ///< whose line it is, with its constants; empty: of data
     std::optional<CurveLaw> law;
     double law_low = 0.0;  ///< x between which it was fitted
     double law_high = 0.0;

@@ -11,7 +11,7 @@
 #include "files/atomic_file.h"
 #include "outputs/output_claims.h"
 #include "outputs/own_file.h"
-#include "paper/caption_text.h"
+#include "paper/caption/caption_text.h"
 #include "paper/figure_caption.h"
 #include "paper/figure_paths.h"
 #include "run/picture_text.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "paper/figure_plan.h"
-#include "paper/run_store.h"
+#include "paper/store/run_store.h"
 #include "run/terminal/status_line.h"
 #include "run/terminal/work_options.h"
 

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
 #include "figure/page/page_grid.h"
 #include "figure/plot/plot_axes.h"
+#include "paper/panel_look.h"
 #include "paper/panel_makers.h"
 #include "paper/panel_title.h"
 
@@ -70,6 +72,11 @@ Corner corner_of(InsetPlace inset) {
     }
 }
 
+PanelColours::Values values_of_both(const PanelColours::Values& a, const PanelColours::Values& b) {
+    if (!a || !b) return a ? a : b;
+    return std::pair{std::min(a->first, b->first), std::max(a->second, b->second)};
+}
+
 class Assembly {
   public:
     Assembly(const FigurePlan& plan, const FigureRuns& runs, const RunStore& store,
@@ -82,6 +89,7 @@ class Assembly {
 
     FigurePage assemble() {
         for (const PanelPlan& panel : plan_.panels) add(panel);
+        share_colours();
         return std::move(made_);
     }
 
@@ -102,6 +110,37 @@ class Assembly {
                 "frames and ticks are {:.2g} points wide, and journals ask for {:g} or more; "
                 "figure.line_width = {:g} does it",
                 made_.page.line_width, least_line, 2.0 * least_line));
+        }
+    }
+
+    /// One range and one bar, beside the last, for the panels that share their colours.
+    void share_colours() {
+        if (sharing_.empty()) return;
+        const ColourScale& first = *sharing_.front().colours.colours;
+        double low = first.low;
+        double high = first.high;
+        PanelColours::Values values;
+        for (const Sharing& one : sharing_) {
+            const ColourScale& colours = *one.colours.colours;
+            if (colours.label != first.label || colours.palette != first.palette) {
+                throw InputError(plan_.scene.at(one.path + ".share_colours") +
+                                 fmt::format("panels that share their colours show one quantity in "
+                                             "one palette, not \"{}\" and \"{}\"",
+                                             first.label, colours.label));
+            }
+            low = std::min(low, colours.low);
+            high = std::max(high, colours.high);
+            values = values_of_both(values, one.colours.values);
+        }
+        for (const Sharing& one : sharing_) {
+            ColourScale& colours = *one.colours.colours;
+            colours.low = low;
+            colours.high = high;
+            tell_ends(colours, values);
+            if (&one != &sharing_.back()) *one.colours.bar = BarPlace::none;
+            std::vector<std::string>& remarks = made_.remarks[one.panel];
+            const std::string text = range_sentence(colours, values) + ", one range for all panels";
+            if (std::ranges::find(remarks, text) == remarks.end()) remarks.push_back(text);
         }
     }
 
@@ -153,6 +192,8 @@ class Assembly {
                 made_.warnings.push_back(fmt::format("panel {}: {}", letter, warning));
             for (FigureData& data : one.data)
                 made_.data.push_back({letter_of_next(panel) + data.name, std::move(data.text)});
+            if (one.shared.colours != nullptr)
+                sharing_.push_back({one.shared, panel.path, made_.remarks.size() - 1});
             place(panel, std::move(one.content), std::move(one.title));
         }
     }
@@ -176,9 +217,16 @@ class Assembly {
         made_.page.panels.push_back(std::move(place));
     }
 
+    struct Sharing {
+        PanelColours colours;
+        std::string path;       ///< of the panel's keys
+        std::size_t panel = 0;  ///< its number in the plan
+    };
+
     const FigurePlan& plan_;
     PanelTools tools_;
     FigurePage made_;
+    std::vector<Sharing> sharing_;
 };
 
 }  // namespace

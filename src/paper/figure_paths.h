@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "paper/figure_plan.h"
-#include "paper/figure_sources.h"
+#include "paper/store/figure_sources.h"
 
 namespace fumon {
 

@@ -10,7 +10,9 @@
 #include "base/find_named.h"
 #include "base/nearest_name.h"
 #include "keys/keys.h"
+#include "paper/curve_rows.h"
 #include "paper/figure_tables.h"
+#include "paper/panel_look.h"
 #include "paper/panel_makers.h"
 #include "paper/panel_title.h"
 #include "run/prepared_run.h"
@@ -52,17 +54,18 @@ class Planner {
     bool read() {
         const std::vector<PanelSettings>& panels = plan_.scene.figure.panels;
         for (std::size_t p = 0; p < panels.size(); ++p) {
-            PanelPlan panel{panels[p], fmt::format("figure.panel.{}", p), {}, {}};
+            PanelPlan panel{panels[p], fmt::format("figure.panel.{}", p), {}, {}, {}};
             if (shown_by(panel.settings.kind) == PanelShows::curves) {
                 for (std::size_t c = 0; c < panel.settings.curves.size(); ++c) {
-                    auto curve = read_curve(panel.settings.curves[c],
-                                            fmt::format("{}.curve.{}", panel.path, c));
+                    CurveSettings& settings = panel.settings.curves[c];
+                    if (panel.settings.kind == PanelKind::histogram) settings.x = settings.y;
+                    auto curve = read_curve(settings, fmt::format("{}.curve.{}", panel.path, c));
                     if (!curve) return false;
                     panel.curves.push_back(std::move(*curve));
                 }
                 check_title(panel, plan_.scene, nullptr);
             } else {
-                panel.picture = read_picture(panel);
+                read_pictures(panel);
             }
             plan_.panels.push_back(std::move(panel));
         }
@@ -112,22 +115,6 @@ class Planner {
             plan_.notes.push_back(initial.note);
     }
 
-    /// Empty cells and nan are missing data; what is infinite is a slip of who computed it.
-    static void refuse_infinities(const Table& table, const CurveSettings& settings,
-                                  const std::string& file) {
-        for (const std::string& name : {settings.x, settings.y}) {
-            const TableColumn* column = table.find(name);
-            if (column == nullptr) continue;
-            for (const auto& [row, written] : column->not_finite) {
-                if (written.find_first_of("aA") != std::string::npos) continue;  // nan
-                throw InputError(fmt::format(
-                    "{}:{}: {} is {}; it takes a finite number, or an empty cell where there is "
-                    "none",
-                    file, table.lines[row], name, written));
-            }
-        }
-    }
-
     std::optional<CurvePlan> read_curve(const CurveSettings& settings, const std::string& path) {
         CurvePlan curve{settings, path, {}, {}, {}, 0, {}};
         if (settings.table == CurveTable::file) {
@@ -138,6 +125,9 @@ class Planner {
                 return table;
             });
             curve.scene = plan_.scene;
+        } else if (settings.table == CurveTable::expression) {
+            curve.scene = plan_.scene;
+            return curve;
         } else {
             curve.sweep = make_plan(request(settings, path));
             if (!curve.sweep) return std::nullopt;
@@ -252,6 +242,7 @@ class Planner {
     void check_columns(const CurvePlan& curve) const {
         check_column(curve, curve.settings.x, curve.path + ".x");
         check_column(curve, curve.settings.y, curve.path + ".y");
+        if (!curve.settings.z.empty()) check_column(curve, curve.settings.z, curve.path + ".z");
         if (!curve.settings.group_by.empty())
             check_column(curve, curve.settings.group_by, curve.path + ".group_by");
         for (const std::string& condition : curve.settings.where) {
@@ -273,18 +264,47 @@ class Planner {
                                 suggestion(name, curve.table.names())));
     }
 
-    PicturePlan read_picture(const PanelPlan& panel) {
+    void read_pictures(PanelPlan& panel) {
         const PanelSettings& settings = panel.settings;
-        Scene scene = parse_scene(scene_text(settings.scene, panel.path + ".scene"),
-                                  changes(settings.scene, settings.set, panel.path + ".set"));
+        Snapshot first;
+        panel.picture = read_picture(panel, {settings.scene, settings.set, settings.steps}, first);
+        if (settings.kind != PanelKind::difference) return;
+        const ChartSettings& chart = settings.chart;
+        RunAsked minus{chart.minus_scene, chart.minus_set, settings.steps, "minus_"};
+        if (minus.scene.empty()) {
+            minus.scene = settings.scene;
+            minus.set.insert(minus.set.begin(), settings.set.begin(), settings.set.end());
+        }
+        if (chart.minus_step >= 0) minus.steps = {chart.minus_step};
+        Snapshot other;
+        panel.minus = read_picture(panel, minus, other);
+        if (same_ground(first, other)) return;
+        refuse(panel.path + ".kind",
+               fmt::format("the two beds differ in size: {} × {} and {} × {} cells", first.bed.nx(),
+                           first.bed.ny(), other.bed.nx(), other.bed.ny()));
+    }
+
+    /// A run whose pictures a panel shows; `prefix` of its keys in the panel.
+    struct RunAsked {
+        std::string scene;
+        std::vector<std::string> set;
+        std::vector<std::int64_t> steps;
+        std::string prefix{};
+    };
+
+    PicturePlan read_picture(const PanelPlan& panel, const RunAsked& asked, Snapshot& first) {
+        const PanelSettings& settings = panel.settings;
+        const std::string path = panel.path + "." + asked.prefix;
+        Scene scene = parse_scene(scene_text(asked.scene, path + "scene"),
+                                  changes(asked.scene, asked.set, path + "set"));
         sources_.find_inputs(scene);
         PreparedScene prepared = prepare_scene(std::move(scene));
         note(prepared.initial);
-        PicturePlan picture{prepared.scene, 0, settings.steps};
+        PicturePlan picture{prepared.scene, 0, asked.steps};
         StoredRun run = stored_run(prepared.scene, prepared.initial);
         run.label = fmt::format("{}: seed {}", picture.scene.source, picture.scene.seed);
         run.steps.insert(0);  // what holds still over a run is taken from its start
-        const Snapshot first = first_of(std::move(prepared), run);
+        first = first_of(std::move(prepared), run);
         const std::int64_t last = picture.scene.run.steps;
         if (shown_by(settings.kind) == PanelShows::whole_run) {
             const std::int64_t every =
@@ -295,7 +315,7 @@ class Planner {
         if (picture.steps.empty()) picture.steps = {last};
         for (const std::int64_t step : picture.steps) {
             if (step > last) {
-                refuse(panel.path + ".steps",
+                refuse(path + (asked.prefix.empty() ? "steps" : "step"),
                        fmt::format("step {} is after the run's end at {}", step, last));
             }
         }
@@ -365,6 +385,7 @@ std::vector<std::size_t> runs_of(const FigurePlan& plan) {
     std::set<std::size_t> all;
     for (const PanelPlan& panel : plan.panels) {
         if (panel.picture) all.insert(panel.picture->run);
+        if (panel.minus) all.insert(panel.minus->run);
         for (const CurvePlan& curve : panel.curves)
             all.insert(curve.runs.begin(), curve.runs.end());
     }

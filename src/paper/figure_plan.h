@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "files/csv_table.h"
-#include "paper/figure_runs.h"
-#include "paper/figure_sources.h"
+#include "paper/store/figure_runs.h"
+#include "paper/store/figure_sources.h"
 #include "scene/scene.h"
 #include "sweep/sweep_plan.h"
 
@@ -17,7 +17,7 @@ namespace fumon {
 struct CurvePlan {
     CurveSettings settings;
     std::string path;                ///< of its keys: "figure.panel.0.curve.1"
-    std::optional<SweepPlan> sweep;  ///< none where it is drawn from a file
+    std::optional<SweepPlan> sweep;  ///< none where it is drawn from a file or a formula
     std::vector<std::size_t> runs;   ///< among the figures' runs, in the order of sweep->runs
     Scene scene;                     ///< of the first run, made ready
     std::int64_t step = 0;           ///< of profile, section and flights
@@ -36,6 +36,7 @@ struct PanelPlan {
     std::string path;  ///< of its keys: "figure.panel.0"
     std::vector<CurvePlan> curves;
     std::optional<PicturePlan> picture;
+    std::optional<PicturePlan> minus;  ///< of a difference: what is taken away, one step or as many
 };
 
 /// A figure with all that it is made from.

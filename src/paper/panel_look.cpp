@@ -87,6 +87,11 @@ std::optional<int> row_of(const PanelSettings& panel, const Grid& bed) {
     return bed.ny() / 2;
 }
 
+bool same_ground(const Snapshot& a, const Snapshot& b) {
+    return a.bed.nx() == b.bed.nx() && a.bed.ny() == b.bed.ny() && a.scale.dx == b.scale.dx &&
+           a.scale.dy == b.scale.dy && a.scale.in_metres == b.scale.in_metres;
+}
+
 const char* x_column(bool in_metres) {
     return in_metres ? "x (m)" : "x (sites)";
 }

@@ -3,11 +3,14 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/worker_pool.h"
 #include "figure/canvas/panel.h"
+#include "figure/panels/colour_bar.h"
 #include "gl/context.h"
 #include "paper/figure_plan.h"
 #include "scene/figure/panel_kinds.h"
@@ -20,12 +23,22 @@ struct FigureData {
     std::string text;
 };
 
+/// The colours of a panel, which may be shared with others; they live as long as its content.
+struct PanelColours {
+    using Values = std::optional<std::pair<double, double>>;
+    ColourScale* colours = nullptr;  ///< null: it has none, or shares none
+    BarPlace* bar = nullptr;
+    Values values{};  ///< the least and the greatest shown
+};
+
 /// A panel ready to be placed on its page.
 struct MadePanel {
     std::unique_ptr<const PanelContent> content;
     std::string title;
     std::vector<std::string> remarks;   ///< for the caption: ranges, intervals, exaggeration
     std::vector<std::string> warnings;  ///< what the user should hear
+    PanelColours
+        shared{};  ///< where the panel shares its colours; then no remark tells their range
     std::vector<FigureData> data;  ///< named by what follows the panel's letter: ".asc", "-1.csv"
 };
 

@@ -95,7 +95,7 @@ std::vector<std::string> check_limits(const PanelPlan& panel, const Plot& plot,
     });
     std::size_t number = 0;
     for (const PlotSeries& series : plot.series) {
-        if (series.kind == SeriesKind::fit) continue;
+        if (series.kind == SeriesKind::fit || series.kind == SeriesKind::band) continue;
         ++number;
         if (is_seen(plot, series)) {
             anything = true;

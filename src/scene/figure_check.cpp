@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "scene/figure/chart_check.h"
 #include "scene/palette_names.h"
 #include "scene/placeholders.h"
 
@@ -35,6 +36,7 @@ class FigureCheck {
             check_keys_of_kind(panels[p], path);
             check_labels(panels[p], path);
             check_palette(panels[p], path);
+            check_chart(panels[p], within(path));
             if (shown_by(panels[p].kind) == PanelShows::curves) {
                 check_plot(panels[p], path);
             } else {
@@ -46,6 +48,13 @@ class FigureCheck {
   private:
     void refuse(const std::string& key, const std::string& what) const {
         faults_.add(InputError(place_of(key) + fmt::format("{}: {}", key, what)));
+    }
+
+    /// Refuses keys of a panel or curve.
+    [[nodiscard]] ChartFault within(const std::string& path) const {
+        return [this, path](const std::string& key, const std::string& what) {
+            refuse(fmt::format("{}.{}", path, key), what);
+        };
     }
 
     /// Where a key stands, else another key of its panel or curve.
@@ -117,12 +126,28 @@ class FigureCheck {
     /// Refuses what a panel of this kind would not show.
     void check_keys_of_kind(const PanelSettings& panel, const std::string& path) const {
         using enum PanelKind;
-        const std::vector<PanelKind> plots{plot};
-        const std::vector<PanelKind> pictures{map, view, profile, time_space, section};
-        const std::vector<PanelKind> stepped{map, view, profile, section};
-        const std::vector<PanelKind> coloured{map, view, time_space, section};
+        const std::vector<PanelKind> charts{plot, heat_map, scatter, histogram, box_plot};
+        const std::vector<PanelKind> along_x{plot, scatter};
+        const std::vector<PanelKind> scaled_x{plot, heat_map, scatter, histogram};
+        const std::vector<PanelKind> up_y{plot, scatter, histogram, box_plot};
+        const std::vector<PanelKind> pictures{map, view, profile, time_space, section, difference};
+        const std::vector<PanelKind> stepped{map, view, profile, section, difference};
+        const std::vector<PanelKind> from_low{map, view, time_space, section, heat_map, scatter};
+        const std::vector<PanelKind> coloured{map,      view,    time_space, section,
+                                              heat_map, scatter, difference};
         const std::vector<PanelKind> maps{map};
         const std::vector<PanelKind> views{view};
+        const std::vector<PanelKind> with_coordinates{map, view};
+        const std::vector<PanelKind> with_frame{map, difference};
+        const std::vector<PanelKind> with_lines{map, view, heat_map};
+        const std::vector<PanelKind> with_bar_label{map,      view,    time_space,
+                                                    heat_map, scatter, difference};
+        const std::vector<PanelKind> sharing{map, difference, heat_map, scatter};
+        const std::vector<PanelKind> heat_maps{heat_map};
+        const std::vector<PanelKind> histograms{histogram};
+        const std::vector<PanelKind> box_plots{box_plot};
+        const std::vector<PanelKind> differences{difference};
+        const ChartSettings& chart = panel.chart;
         const PanelSettings usual;
         struct Asked {
             const char* key;
@@ -130,44 +155,60 @@ class FigureCheck {
             const std::vector<PanelKind>& kinds;
         };
         const std::vector<PanelKind> along_rows{profile, time_space};
-        const std::vector<PanelKind> of_fields{map, time_space};
-        const std::vector<PanelKind> with_ground{map, view};
+        const std::vector<PanelKind> of_fields{map, time_space, difference};
+        const std::vector<PanelKind> with_ground{map, view, difference};
         const std::vector<PanelKind> with_arrow{map, view, profile};
-        const std::vector<PanelKind> with_bar{map, view, time_space};
         const std::vector<PanelKind> over_time{time_space};
-        const std::vector<PanelKind> with_axes{plot, map, profile, time_space};
+        const std::vector<PanelKind> with_axes{plot,    map,       profile,  time_space, heat_map,
+                                               scatter, histogram, box_plot, difference};
         const std::vector<PanelKind> sections{section};
         const std::vector<Asked> all{
             {"x_label", panel.x_label != usual.x_label, with_axes},
             {"y_label", panel.y_label != usual.y_label, with_axes},
-            {"bar_label", panel.bar_label != usual.bar_label, with_bar},
-            {"x_logarithmic", panel.x_logarithmic, plots},
-            {"y_logarithmic", panel.y_logarithmic, plots},
-            {"x_low", panel.x_low != usual.x_low, plots},
-            {"x_high", panel.x_high != usual.x_high, plots},
-            {"y_low", panel.y_low != usual.y_low, plots},
-            {"y_high", panel.y_high != usual.y_high, plots},
-            {"legend", panel.legend != usual.legend, plots},
+            {"bar_label", panel.bar_label != usual.bar_label, with_bar_label},
+            {"x_logarithmic", panel.x_logarithmic, scaled_x},
+            {"y_logarithmic", panel.y_logarithmic, charts},
+            {"x_low", panel.x_low != usual.x_low, along_x},
+            {"x_high", panel.x_high != usual.x_high, along_x},
+            {"y_low", panel.y_low != usual.y_low, up_y},
+            {"y_high", panel.y_high != usual.y_high, up_y},
+            {"legend", panel.legend != usual.legend, up_y},
             {"scene", panel.scene != usual.scene, pictures},
             {"set", panel.set != usual.set, pictures},
             {"steps", panel.steps != usual.steps, stepped},
             {"every", panel.every != usual.every, over_time},
             {"row_of_bed", panel.row_of_bed != usual.row_of_bed, along_rows},
             {"field", panel.field != usual.field, of_fields},
-            {"low", is_given(panel.low), coloured},
+            {"low", is_given(panel.low), from_low},
             {"high", is_given(panel.high), coloured},
             {"palette", panel.palette != usual.palette, coloured},
             {"palette_reversed", panel.palette_reversed, coloured},
             {"shading", panel.shading != usual.shading, maps},
             {"shading_from_all_sides", panel.shading_from_all_sides, maps},
-            {"axes", panel.axes != usual.axes, maps},
-            {"contours", panel.contours != usual.contours, with_ground},
-            {"coordinates", panel.coordinates, with_ground},
+            {"axes", panel.axes != usual.axes, with_frame},
+            {"contours", panel.contours != usual.contours, with_lines},
+            {"coordinates", panel.coordinates, with_coordinates},
             {"colours", panel.colours != usual.colours, views},
             {"vectors", panel.vectors, maps},
             {"scale_bar", panel.scale_bar, with_ground},
             {"arrow", panel.arrow != usual.arrow, with_arrow},
-            {"section", panel.section != usual.section, sections}};
+            {"section", panel.section != usual.section, sections},
+            {"cell_text", chart.cell_text != CellText::none, heat_maps},
+            {"even_cells", chart.even_cells, heat_maps},
+            {"levels", !chart.levels.empty(), heat_maps},
+            {"classes", !chart.classes.empty(), heat_maps},
+            {"bins", chart.bins > 0, histograms},
+            {"bin_low", !chart.bin_low.is_word(), histograms},
+            {"bin_high", !chart.bin_high.is_word(), histograms},
+            {"bar_height", chart.bar_height != BarHeight::count, histograms},
+            {"shape", chart.shape != DistributionShape::box, box_plots},
+            {"show_values", chart.show_values, box_plots},
+            {"name", !chart.name.empty(), differences},
+            {"minus_name", !chart.minus_name.empty(), differences},
+            {"minus_scene", !chart.minus_scene.empty(), differences},
+            {"minus_set", !chart.minus_set.empty(), differences},
+            {"minus_step", chart.minus_step >= 0, differences},
+            {"share_colours", chart.share_colours, sharing}};
         for (const Asked& asked : all) {
             if (!asked.given || std::ranges::find(asked.kinds, panel.kind) != asked.kinds.end())
                 continue;
@@ -197,8 +238,10 @@ class FigureCheck {
     }
 
     void check_plot(const PanelSettings& panel, const std::string& path) const {
-        if (panel.curves.empty() && panel.boxes.empty())
-            refuse(path + ".kind", "the plot shows nothing; add [[figure.panel.curve]]");
+        if (panel.curves.empty() && panel.boxes.empty()) {
+            refuse(path + ".kind", fmt::format("the {} shows nothing; add [[figure.panel.curve]]",
+                                               word_of(panel.kind)));
+        }
         check_range(panel.x_low, panel.x_high, path, "x", panel.x_logarithmic);
         check_range(panel.y_low, panel.y_high, path, "y", panel.y_logarithmic);
         for (std::size_t c = 0; c < panel.curves.size(); ++c)
@@ -224,6 +267,8 @@ class FigureCheck {
 
     void check_curve(const PanelSettings& panel, const CurveSettings& curve,
                      const std::string& path) const {
+        check_chart_curve(panel, curve, within(path));
+        if (curve.table == CurveTable::expression) return;
         if (curve.y.empty()) refuse(path + ".y", "is missing; name the column to draw");
         if (curve.x.empty()) refuse(path + ".x", "is empty; name a column");
         const bool from_file = curve.table == CurveTable::file;
@@ -269,7 +314,8 @@ class FigureCheck {
 
     void check_picture(const PanelSettings& panel, const std::string& path) const {
         if (!panel.curves.empty())
-            refuse(path + ".kind", "curves belong to plots; write kind = \"plot\"");
+            refuse(path + ".kind",
+                   "curves belong to plots; write kind = \"plot\" or another with curves");
         if (!panel.boxes.empty())
             refuse(path + ".kind", "boxes belong to plots; write kind = \"plot\"");
         check_range(panel.low, panel.high, path, "", false);

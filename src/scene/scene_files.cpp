@@ -54,6 +54,7 @@ std::vector<fs::path> scene_files(const Scene& scene) {
     add_inputs(scene, files);
     for (const PanelSettings& panel : scene.figure.panels) {
         add_other_scene(scene, panel.scene, files);
+        add_other_scene(scene, panel.chart.minus_scene, files);
         for (const CurveSettings& curve : panel.curves) {
             add_other_scene(scene, curve.scene, files);
             if (!curve.file.empty()) files.push_back(scene.directory / curve.file);

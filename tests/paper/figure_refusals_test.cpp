@@ -101,13 +101,15 @@ TEST_F(FigureRefusalsTest, WhatIsWrongIsOneLocatedLine) {
          "a logarithmic axis lies above 0"},
         {plot + "inset = \"upper-left\"\n" + curve.substr(plot.size()), "this is the first"},
         {plot + "steps = [3]\n" + curve.substr(plot.size()),
-         "belongs to map, view, profile and section panels; a plot panel would not show it"},
-        {map + "x_logarithmic = true\n",
-         "bad.toml:17:17: figure.panel.0.x_logarithmic: belongs to plot panels; a map panel would "
-         "not "
+         "belongs to map, view, profile, section and difference panels; a plot panel would not "
          "show it"},
-        {"[[figure.panel]]\nkind = \"profile\"\ny_low = 0.0\n", "belongs to plot panels"},
-        {"[[figure.panel]]\nkind = \"view\"\naxes = false\n", "belongs to map panels"},
+        {map + "x_logarithmic = true\n",
+         "bad.toml:17:17: figure.panel.0.x_logarithmic: belongs to plot, heat-map, scatter and "
+         "histogram panels; a map panel would not show it"},
+        {"[[figure.panel]]\nkind = \"profile\"\ny_low = 0.0\n",
+         "belongs to plot, scatter, histogram and box-plot panels"},
+        {"[[figure.panel]]\nkind = \"view\"\naxes = false\n",
+         "belongs to map and difference panels"},
         {map + "colours = \"height\"\n", "belongs to view panels; a map panel would not show it"},
         {plot + "coordinates = true\n" + curve.substr(plot.size()),
          "belongs to map and view panels"},

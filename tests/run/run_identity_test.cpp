@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "models/registry.h"
-#include "paper/run_store.h"
+#include "paper/store/run_store.h"
 #include "support/changed_key.h"
 
 namespace fumon {

@@ -67,6 +67,18 @@ Ticks with_ends(const Ticks& round, const ColourScale& scale, int most, double a
     return ticks;
 }
 
+/// The names of a scale's classes, at their middles.
+Ticks class_ticks(const ColourScale& scale) {
+    Ticks ticks;
+    const auto count = static_cast<double>(scale.classes.size());
+    for (std::size_t i = 0; i < scale.classes.size(); ++i) {
+        const double share = (static_cast<double>(i) + 0.5) / count;
+        ticks.values.push_back(std::lerp(scale.low, scale.high, share));
+        ticks.labels.push_back(scale.classes[i]);
+    }
+    return ticks;
+}
+
 BarLayout lay_out_bar(const Canvas& canvas, double length, const ColourScale& scale,
                       BarDirection direction) {
     const double font = canvas.font_size();
@@ -74,8 +86,9 @@ BarLayout lay_out_bar(const Canvas& canvas, double length, const ColourScale& sc
     BarLayout layout;
     int most = std::clamp(static_cast<int>(length / ((upright ? 1.5 : 2.2) * font)), 2, most_ticks);
     for (;; --most) {
-        layout.ticks = linear_ticks(scale.low, scale.high, most);
-        if (scale.ends_labelled) {
+        layout.ticks =
+            scale.classes.empty() ? linear_ticks(scale.low, scale.high, most) : class_ticks(scale);
+        if (scale.ends_labelled && scale.classes.empty()) {
             const double label = upright ? 1.3 * canvas.text_size("0", bar_tick_text)[1]
                                          : layout.widest + 0.6 * font;
             layout.ticks = with_ends(layout.ticks, scale, most, std::min(label / length, 0.5));

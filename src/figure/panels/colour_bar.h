@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "figure/canvas/canvas.h"
 #include "figure/canvas/panel.h"
@@ -17,6 +18,8 @@ struct ColourScale {
     bool values_below = false;  ///< there are some, which a triangle at the bar's end says
     bool values_above = false;
     bool ends_labelled = false;  ///< the bar's two ends have ticks, whatever their values
+    /// Names of parts of the palette, all as long as each other, in place of numbers; empty: none.
+    std::vector<std::string> classes{};
 
     /// The place of a value in the palette, 0 … 255.
     [[nodiscard]] std::size_t place(double value) const;

@@ -72,6 +72,10 @@ class MapPanel : public PanelContent {
                                        double height) const override;
     void draw(Canvas& canvas, const CanvasBox& frame) const override;
 
+    /// To be changed before it is drawn.
+    ColourScale& colours() { return picture_.colours; }
+    BarPlace& colour_bar() { return settings_.colour_bar; }
+
   private:
     [[nodiscard]] Axes axes_in(const CanvasBox& frame) const;
     [[nodiscard]] Axes shown_axes(const CanvasBox& frame) const;

@@ -49,6 +49,9 @@ void check_series(const PlotSeries& series) {
     if (series.kind == SeriesKind::band) check(series.y_low, "y_low");
     if (!series.x_error.empty()) check(series.x_error, "x_error");
     if (!series.y_error.empty()) check(series.y_error, "y_error");
+    if (!series.inks.empty() && series.inks.size() != series.x.size())
+        throw InputError(fmt::format("the series \"{}\" has {} values of x, but {} inks",
+                                     series.label, series.x.size(), series.inks.size()));
     if (!series.hollow.empty() && series.hollow.size() != series.x.size())
         throw InputError(fmt::format("the series \"{}\" has {} values of x, but {} of hollow",
                                      series.label, series.x.size(), series.hollow.size()));

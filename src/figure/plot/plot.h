@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "figure/canvas/canvas.h"
@@ -19,6 +20,8 @@ struct PlotAxis {
     std::optional<double> high = {};  ///< likewise
     bool tick_labels = true;          ///< false: neither they nor the label show (a shared axis)
     bool ticks = true;                ///< false: no marks either
+    /// Marks at these values alone, with these words, in place of round numbers; in rising order.
+    std::vector<std::pair<double, std::string>> named = {};
 };
 
 enum class SeriesKind {
@@ -27,6 +30,7 @@ enum class SeriesKind {
     line_and_points,
     step,  ///< constant from each x to the next
     band,  ///< filled between y_low and y
+    area,  ///< filled within the line through all points, which is closed
     fit,   ///< a thin line behind all points, bars and curves
 };
 
@@ -40,7 +44,9 @@ struct PlotSeries {
     std::vector<double> y_low;         ///< of a band: as many as x
     std::vector<double> x_error;       ///< half the length of each point's bar; empty: none
     std::vector<double> y_error;       ///< likewise
+    std::vector<Ink> inks;             ///< of the points' markers; empty: the series's
     std::vector<bool> hollow;          ///< points whose markers are not filled; empty: none
+    bool with_band = false;            ///< whose legend shows the band of its colour too
     bool on_right = false;             ///< counts on the right axis
     std::optional<Ink> ink;            ///< else the next of the cycle
     std::optional<Marker> marker;      ///< else the next of the cycle

@@ -65,6 +65,23 @@ PlotTicks fitting_ticks(const Canvas& canvas, const PlotScale& scale, double len
     return fewer;
 }
 
+/// The marks that an axis names, all of them, with those of the words that there is room for.
+PlotTicks named_ticks(const Canvas& canvas, const PlotScale& scale, const PlotAxis& axis,
+                      double length, std::size_t dimension) {
+    constexpr double apart = 0.4;  // words, font sizes
+    PlotTicks all;
+    for (const auto& [value, word] : axis.named) {
+        all.values.push_back(value);
+        all.labels.push_back(word);
+    }
+    const std::vector<std::size_t> kept =
+        kept_apart(canvas, scale, all, length, dimension, dimension == 0 ? apart : 0.0);
+    for (std::size_t i = 0; i < all.labels.size(); ++i) {
+        if (std::ranges::find(kept, i) == kept.end()) all.labels[i].clear();
+    }
+    return all;
+}
+
 /// A label with the power of ten that its tick labels are to be taken times: "height (10⁻³ m)".
 std::string with_power(const std::string& label, int power) {
     if (power == 0) return label;
@@ -92,8 +109,10 @@ PlotAxes::PlotAxes(const Canvas& canvas, const Plot& plot, const CanvasBox& fram
 
 PlotAxes::Side PlotAxes::side(const Canvas& canvas, const PlotAxis& axis, const PlotScale& scale,
                               double length, std::size_t dimension, double apart) {
-    Side side{scale, fitting_ticks(canvas, scale, length, dimension, apart), "", axis.tick_labels,
-              0.0};
+    Side side{scale,
+              axis.named.empty() ? fitting_ticks(canvas, scale, length, dimension, apart)
+                                 : named_ticks(canvas, scale, axis, length, dimension),
+              "", axis.tick_labels, 0.0};
     if (!axis.ticks) side.ticks = {};
     side.label = in_two_lines(canvas, with_power(axis.label, side.ticks.power), length, label_text);
     side.widest = widest_label(canvas, side.ticks);

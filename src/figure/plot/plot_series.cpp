@@ -12,6 +12,7 @@ namespace {
 
 constexpr double curve_width = 2.0;  // of the frame's line
 constexpr double band_opacity = 0.25;
+constexpr Ink dark_edge{0.25, 0.25, 0.25, 1.0};
 constexpr double cap = 0.2;   // half the cap of an error bar, font sizes
 constexpr double head = 0.5;  // of the arrow of one that goes on beyond the frame
 
@@ -21,7 +22,8 @@ double line_width_of(const Canvas& canvas, const PlotSeries& series) {
 }
 
 bool has_line(const PlotSeries& series) {
-    return series.kind != SeriesKind::points && series.kind != SeriesKind::band;
+    return series.kind != SeriesKind::points && series.kind != SeriesKind::band &&
+           series.kind != SeriesKind::area;
 }
 
 bool has_markers(const PlotSeries& series) {
@@ -82,6 +84,18 @@ void draw_band(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes, I
         lower.push_back(axes.at(series.x[i], series.y_low[i], series.on_right));
     }
     close();
+}
+
+/// Filled palely, and outlined thinly.
+void draw_area(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes, const Ink& ink) {
+    Ink pale = ink;
+    pale.opacity *= band_opacity;
+    for (auto& piece : pieces_of(series, axes)) {
+        if (piece.size() < 3) continue;
+        canvas.fill(piece, pale);
+        piece.push_back(piece.front());
+        canvas.stroke(piece, 1.3 * canvas.line_width(), ink);
+    }
 }
 
 /// Half an error bar, with its cap; where it leaves the frame it ends there in an arrow.
@@ -158,6 +172,12 @@ void draw_markers(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes
         const CanvasPoint at = axes.at(series.x[i], series.y[i], series.on_right);
         if (!within(at, grown(axes.frame(), rounding))) continue;
         const bool hollow = !series.hollow.empty() && series.hollow[i];
+        if (!series.inks.empty()) {  // pale colours end in an edge
+            const double edge = 1.2 * canvas.line_width();
+            draw_marker(canvas, look.marker, at, size + edge, dark_edge);
+            draw_marker(canvas, look.marker, at, size, series.inks[i]);
+            continue;
+        }
         (hollow ? draw_hollow_marker : draw_marker)(canvas, look.marker, at, size, look.ink);
     }
 }
@@ -205,6 +225,7 @@ void draw_series(Canvas& canvas, const Plot& plot, const PlotAxes& axes) {
         const CanvasClip clip(canvas, axes.frame());
         each([&](const PlotSeries& series, const SeriesLook& look) {
             if (series.kind == SeriesKind::band) draw_band(canvas, series, axes, look.ink);
+            if (series.kind == SeriesKind::area) draw_area(canvas, series, axes, look.ink);
         });
         each([&](const PlotSeries& series, const SeriesLook& look) {
             if (series.kind == SeriesKind::fit) draw_curve(canvas, series, axes, look);
@@ -223,10 +244,19 @@ void draw_series(Canvas& canvas, const Plot& plot, const PlotAxes& axes) {
 void draw_sample(Canvas& canvas, const PlotSeries& series, const SeriesLook& look,
                  const CanvasPoint& at, double length) {
     const double font = canvas.font_size();
-    if (series.kind == SeriesKind::band) {
+    if (series.kind == SeriesKind::band || series.kind == SeriesKind::area || series.with_band) {
         Ink ink = look.ink;
         ink.opacity *= band_opacity;
-        canvas.fill(CanvasBox{at.x, at.y - 0.3 * font, length, 0.6 * font}, ink);
+        const CanvasBox box{at.x, at.y - 0.3 * font, length, 0.6 * font};
+        canvas.fill(box, ink);
+        if (series.kind == SeriesKind::area) {
+            const std::array<CanvasPoint, 5> edge{{{box.x, box.y},
+                                                   {box.right(), box.y},
+                                                   {box.right(), box.bottom()},
+                                                   {box.x, box.bottom()},
+                                                   {box.x, box.y}}};
+            canvas.stroke(edge, 1.3 * canvas.line_width(), look.ink);
+        }
     }
     if (has_line(series)) {
         const double width = line_width_of(canvas, series);
@@ -241,7 +271,8 @@ void draw_sample(Canvas& canvas, const PlotSeries& series, const SeriesLook& loo
 CoveredArea clutter_of_series(const Canvas& canvas, const Plot& plot, const PlotAxes& axes) {
     CoveredArea clutter;
     for (const PlotSeries& series : plot.series) {
-        if (has_line(series) || series.kind == SeriesKind::band) {
+        if (has_line(series) || series.kind == SeriesKind::band ||
+            series.kind == SeriesKind::area) {
             for (const auto& piece : pieces_of(series, axes)) {
                 for (std::size_t i = 1; i < piece.size(); ++i)
                     clutter.segments.emplace_back(piece[i - 1], piece[i]);

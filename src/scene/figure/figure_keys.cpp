@@ -1,6 +1,7 @@
 #include "scene/figure/figure_keys.h"
 
 #include "base/limits.h"
+#include "scene/figure/chart_keys.h"
 
 namespace fumon {
 
@@ -22,7 +23,8 @@ void list_curve_data_keys(CurveSettings& curve, const std::string& path, KeyTabl
          {CurveTable::section, "section",
           "along the profile under the air: x, bed and the section's curves"},
          {CurveTable::flights, "flights", "a row a grain's flight"},
-         {CurveTable::file, "file", "a CSV file"}},
+         {CurveTable::file, "file", "a CSV file"},
+         {CurveTable::expression, "expression", "no rows: a formula, as of a theory"}},
         {.help = "which rows it is drawn from"});
     table.text(path + ".scene", curve.scene,
                {.help = "another scene's file, relative to this one; empty: this scene"});
@@ -39,6 +41,18 @@ void list_curve_data_keys(CurveSettings& curve, const std::string& path, KeyTabl
                    .help = "profile, section, flights: of this step; -1: the last"});
     table.text(path + ".x", curve.x, {.help = "column along the plot"});
     table.text(path + ".y", curve.y, {.help = "column up the plot"});
+    table.text(path + ".z", curve.z,
+               {.help = "column of the colours, in heat-map and scatter panels"});
+    table.text(path + ".expression", curve.expression,
+               {.help = "y as a formula of x: + - * / ^, parentheses, sqrt, exp, ln, log10, sin, "
+                        "cos, tan, tanh, atan, abs, pi, e and the constants"});
+    table.text_list(path + ".constants", curve.constants,
+                    {.help = "\"name = number\", each a constant of the formula"});
+    table.word_or_real(path + ".x_from", curve.x_from,
+                       {{"auto", "where the panel's other curves begin, or its axis"}},
+                       {.help = "x where a formula's line begins"});
+    table.word_or_real(path + ".x_to", curve.x_to, {{"auto", "where they end"}},
+                       {.help = "x where it ends"});
     table.text_list(
         path + ".where", curve.where,
         {.help = "rows to draw: \"column=value\", \"column>=value\", \"column<value\" …"});
@@ -60,6 +74,10 @@ void list_curve_keys(CurveSettings& curve, const std::string& path, KeyTable& ta
                   {CurveSpread::deviation, "deviation", "standard deviation of what is averaged"},
                   {CurveSpread::standard_error, "standard-error", "of the mean"}},
                  {.help = "error bars"});
+    table.choice(path + ".bars", curve.bars,
+                 {{SpreadLook::bars, "bars", "a bar at each point"},
+                  {SpreadLook::band, "band", "a shaded band along the curve"}},
+                 {.help = "how spread is drawn"});
     table.real(path + ".offset_y", curve.offset_y,
                {.help = "added to y, before scale_y; such as minus the mean height"});
     table.real(path + ".scale_x", curve.scale_x, {.help = "x times this, such as metres per site"});
@@ -189,13 +207,13 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
     table.boolean(path + ".shading_from_all_sides", panel.shading_from_all_sides,
                   {.help = "hill shading by light from four sides, so that no crest lies along it; "
                            "false: from the north-west"});
-    table.word_or_real(
-        path + ".contours", panel.contours,
-        {{"none", "no lines"}, {"auto", "a round interval: up to 16 lines"}},
-        {.unit = "m",
-         .range = {0, 1e6, true},
-         .help = "between lines of equal height on a map or view, every fifth labelled; "
-                 "model heights where there are no metres"});
+    table.word_or_real(path + ".contours", panel.contours,
+                       {{"none", "no lines"}, {"auto", "a round interval: up to 16 lines"}},
+                       {.unit = "m",
+                        .range = {0, 1e6, true},
+                        .help = "interval of contour lines on a map or view, every fifth labelled; "
+                                "in model heights where there are no metres; on a heat map in the "
+                                "unit of its colours"});
     list_view_panel_keys(panel, path, table);
     table.boolean(path + ".axes", panel.axes, {.help = "ticks and labels around a map"});
     table.boolean(path + ".coordinates", panel.coordinates,
@@ -256,6 +274,7 @@ void list_panel_keys(PanelSettings& panel, const std::string& path, KeyTable& ta
                   {PanelLegend::lower_left, "lower-left", "the lower left corner"},
                   {PanelLegend::lower_right, "lower-right", "the lower right corner"}},
                  {.help = "where the curves' names stand"});
+    list_chart_keys(panel.chart, path, table);
     table.tables(path + ".curve", panel.curves, "a curve of the plot", list_curve_keys);
     table.tables(path + ".box", panel.boxes, "a labelled range in the plot", list_box_keys);
 }

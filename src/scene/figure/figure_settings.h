@@ -6,6 +6,7 @@
 
 #include "keys/word_or_real.h"
 #include "numerics/curve_law.h"
+#include "scene/figure/chart_settings.h"
 #include "scene/figure/overlay_kinds.h"
 #include "scene/figure/panel_kinds.h"
 
@@ -29,10 +30,12 @@ enum class CurveTable {
     profile,
     section,
     flights,
-    file
+    file,
+    expression
 };
 
 enum class CurveSpread { none, deviation, standard_error };
+enum class SpreadLook { bars, band };
 enum class CurveStyle { automatic, line, points, line_and_points, steps };
 
 /// One curve of a plot, or one for each value of a column.
@@ -47,11 +50,17 @@ struct CurveSettings {
     std::int64_t step = -1;         ///< profile, section, flights: of this step; -1: the last
     std::string x = "step";         ///< columns
     std::string y;
+    std::string z;                       ///< heat maps and scatter plots: of the colours
+    std::string expression;              ///< table "expression": y of x
+    std::vector<std::string> constants;  ///< "name = number": in it
+    WordOrReal x_from{"auto", 0.0};      ///< over which it is drawn
+    WordOrReal x_to{"auto", 0.0};
     std::vector<std::string> where;  ///< "column=value", "column>=value" …
     std::string group_by;            ///< a curve for each value of this column
     bool average = true;             ///< rows with the same x become one point
     std::int64_t least = 1;          ///< points of fewer runs are left out
     CurveSpread spread = CurveSpread::none;
+    SpreadLook bars = SpreadLook::bars;
     double offset_y = 0.0;  ///< added to y, before the scale
     double scale_x = 1.0;
     double scale_y = 1.0;
@@ -136,6 +145,7 @@ struct PanelSettings {
     PanelLegend legend = PanelLegend::automatic;
     std::vector<CurveSettings> curves;
     std::vector<RangeBoxSettings> boxes;
+    ChartSettings chart;
 };
 
 enum class SvgText { outlines, text };

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "paper/run_store.h"
+#include "paper/store/run_store.h"
 
 namespace fumon {
 

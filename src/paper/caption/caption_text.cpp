@@ -1,4 +1,4 @@
-#include "paper/caption_text.h"
+#include "paper/caption/caption_text.h"
 
 #include <algorithm>
 #include <array>

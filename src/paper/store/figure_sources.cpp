@@ -1,4 +1,4 @@
-#include "paper/figure_sources.h"
+#include "paper/store/figure_sources.h"
 
 #include <fmt/format.h>
 

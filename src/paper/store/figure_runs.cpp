@@ -1,4 +1,4 @@
-#include "paper/figure_runs.h"
+#include "paper/store/figure_runs.h"
 
 #include <utility>
 

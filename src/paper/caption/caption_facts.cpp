@@ -1,4 +1,4 @@
-#include "paper/caption_facts.h"
+#include "paper/caption/caption_facts.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "paper/run_store.h"
+#include "paper/store/run_store.h"
 
 #include <fmt/format.h>
 
