@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/quantity_text.h"
 #include "figure/plot/plot.h"
+#include "figure/words/words.h"
 #include "paper/curve_remarks.h"
 #include "paper/figure_curve.h"
 #include "paper/figure_tables.h"
@@ -75,7 +76,8 @@ PlotSeries fit_series(const CurvePoints& points, const SeriesLook& look, bool lo
 }
 
 std::string axis_label(const std::string& given, const std::string& name, const std::string& unit) {
-    return label_or(given, quantity_text(name.substr(name.rfind('.') + 1), unit));  // a key's last
+    return label_or(given,
+                    quantity_in_words(name.substr(name.rfind('.') + 1), unit));  // a key's last
 }
 
 PlotAxis axis_of(const std::string& label, bool logarithmic, const WordOrReal& low,

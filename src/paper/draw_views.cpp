@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "figure/panels/view_panel.h"
+#include "figure/words/words.h"
 #include "files/terrain/terrain_format.h"
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
@@ -70,7 +71,8 @@ std::vector<MadePanel> make_views(const PanelSubject& subject, PanelTools& tools
         shown.compass = has_compass(settings.arrow);
         MadePanel one;
         if (renderer.exaggeration() != 1.0)
-            one.remarks.push_back(fmt::format("heights × {:g}", renderer.exaggeration()));
+            one.remarks.push_back(
+                phrase("heights × {}", fmt::format("{:g}", renderer.exaggeration())));
         one.content =
             std::make_unique<ViewPanel>(view_picture(view, renderer.render(snapshot), subject.first,
                                                      renderer.exaggeration(), progress),

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/quantity_text.h"
+#include "figure/words/words.h"
 #include "files/text_source.h"
 #include "measure/shared/undefined.h"
 #include "scene/placeholders.h"
@@ -180,7 +180,7 @@ std::string curve_name(const CurvePlan& curve, const Table& table, const Rows& r
     std::string text = settings.name;
     if (text.empty() && !settings.group_by.empty()) {
         const std::string& group = settings.group_by;
-        text = in_words(group.substr(group.rfind('.') + 1)) + " = {" + group + "}";
+        text = name_in_words(group.substr(group.rfind('.') + 1)) + " = {" + group + "}";
     }
     return fill_placeholders(text, [&](const std::string& name) -> std::optional<std::string> {
         if (const TableColumn* column = table.find(name)) return column->text(rows.front());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "figure/words/words.h"
 #include "files/crs_kind.h"
 
 namespace fumon {
@@ -59,9 +60,9 @@ std::string CoordinateScale::label(double coordinate, const RoundStep& step,
                                    bool in_kilometres) const {
     constexpr int thousand = 3;
     const int decimals = std::max(0, (in_kilometres ? thousand : 0) - step.exponent);
-    const char* const towards = axis_ == Axis::east ? "E" : "N";
+    const std::string towards = axis_ == Axis::east ? word("E") : word("N");
     if (unit_ == Unit::degrees) {
-        const char* const from = axis_ == Axis::east ? "W" : "S";
+        const std::string from = axis_ == Axis::east ? word("W") : word("S");
         constexpr double circle = 360.0;
         double angle = coordinate;
         if (axis_ == Axis::east && angle > 0.5 * circle) angle -= circle;  // of 0 to 360
