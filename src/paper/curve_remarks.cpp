@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "figure/words/words.h"
+
 namespace fumon {
 
 namespace {
@@ -50,11 +52,11 @@ std::string changing_counts(const std::vector<CurvePoints>& curves, const RunCou
             ++listed;
         }
     }
-    if (listed > most_listed) return fmt::format("n = {} to {}", counts.fewest, counts.most);
-    std::string text = "n = ";
+    if (listed > most_listed) return phrase("n = {} to {}", counts.fewest, counts.most);
+    std::string text;
     for (const auto& [runs, at] : places)
-        text += fmt::format("{} at x = {}, ", runs, fmt::join(at, " and "));
-    return text + fmt::format("else {}", counts.most);
+        text += phrase("{} at x = {}, ", runs, fmt::format("{}", fmt::join(at, word(" and "))));
+    return phrase("n = {}", text + phrase("else {}", counts.most));
 }
 
 bool any_bar(const std::vector<CurvePoints>& curves) {
@@ -93,31 +95,37 @@ void add_remarks(std::vector<std::string>& remarks, const PanelSettings& panel, 
                  const std::vector<CurvePoints>& curves, bool marked) {
     const CurveSettings& settings = panel.curves[number];
     const std::string of =
-        panel.curves.size() > 1 ? fmt::format("curve {}: ", number + 1) : std::string();
+        panel.curves.size() > 1 ? phrase("curve {}: ", number + 1) : std::string();
     const RunCounts counts = run_counts(curves);
     const bool changes = counts.fewest < counts.most;
     std::string text;
     if (settings.spread != CurveSpread::none && any_bar(curves)) {
-        text =
-            fmt::format("{} are {}", settings.bars == SpreadLook::band ? "bands" : "bars",
-                        settings.spread == CurveSpread::deviation ? "standard deviations"
-                                                                  : "standard errors of the mean");
+        const bool deviation = settings.spread == CurveSpread::deviation;
+        if (settings.bars == SpreadLook::band) {
+            text = deviation ? word("bands are standard deviations")
+                             : word("bands are standard errors of the mean");
+        } else {
+            text = deviation ? word("bars are standard deviations")
+                             : word("bars are standard errors of the mean");
+        }
     }
     if (changes || (settings.spread != CurveSpread::none && counts.most > 0)) {
         if (!text.empty()) text += ", ";
-        text += changes ? changing_counts(curves, counts) : fmt::format("n = {}", counts.most);
+        text += changes ? changing_counts(curves, counts) : phrase("n = {}", counts.most);
     }
-    if (changes && marked) text += " (fewer: hollow)";
+    if (changes && marked) text += word(" (fewer: hollow)");
     if (!text.empty()) remarks.push_back(of + text);
     if (settings.least > 1)
-        remarks.push_back(fmt::format("{}points of fewer than {} left out", of, settings.least));
+        remarks.push_back(of + phrase("points of fewer than {} left out", settings.least));
     if (settings.bars == SpreadLook::band) {
-        if (any_cut(panel, curves, true)) remarks.push_back(of + "the band reaches below zero");
+        if (any_cut(panel, curves, true))
+            remarks.push_back(of + word("the band reaches below zero"));
         return;
     }
-    if (any_cut(panel, curves, true)) remarks.push_back(of + "bars with an arrow reach below zero");
+    if (any_cut(panel, curves, true))
+        remarks.push_back(of + word("bars with an arrow reach below zero"));
     if (any_cut(panel, curves, false))
-        remarks.push_back(of + "bars with an arrow go on beyond the axes");
+        remarks.push_back(of + word("bars with an arrow go on beyond the axes"));
 }
 
 }  // namespace fumon

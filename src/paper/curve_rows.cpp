@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/quantity_text.h"
+#include "figure/words/words.h"
 #include "files/text_source.h"
 #include "scene/placeholders.h"
 
@@ -133,7 +134,7 @@ std::string curve_name(const CurvePlan& curve, const Table& table, const TableRo
     std::string text = settings.name;
     if (text.empty() && !settings.group_by.empty()) {
         const std::string& group = settings.group_by;
-        text = in_words(group.substr(group.rfind('.') + 1)) + " = {" + group + "}";
+        text = name_in_words(group.substr(group.rfind('.') + 1)) + " = {" + group + "}";
     }
     return fill_placeholders(text, [&](const std::string& name) -> std::optional<std::string> {
         if (const TableColumn* column = table.find(name)) return column->text(rows.front());

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "figure/words/words.h"
 #include "files/csv_table.h"
 #include "numerics/distribution.h"
 #include "paper/curve_rows.h"
@@ -205,9 +206,9 @@ std::string count_remark(const std::vector<Distributions>& all) {
         for (const auto& [name, values] : one.values) counts.insert(values.size());
     }
     const std::string range = *counts.begin() < *counts.rbegin()
-                                  ? fmt::format("{} to {}", *counts.begin(), *counts.rbegin())
+                                  ? phrase("{} to {}", *counts.begin(), *counts.rbegin())
                                   : fmt::format("{}", *counts.begin());
-    return "n = " + range + " for each";
+    return phrase("n = {} for each", range);
 }
 
 std::vector<MadePanel> make_box_plots(const PanelSubject& subject, PanelTools& tools) {
@@ -261,14 +262,14 @@ std::vector<MadePanel> make_box_plots(const PanelSubject& subject, PanelTools& t
     made[0].warnings = check_limits(subject.panel, plot, tools.plan.scene);
     made[0].remarks.push_back(
         chart.shape == DistributionShape::box
-            ? "boxes from the lower to the upper quartile (linear between values) with the "
-              "median; whiskers to the farthest values within 1.5 times the box's length"
-            : "outlines are densities (normal distributions as wide as Scott's rule says), each as "
-              "wide as the others; thick lines from the lower to the upper quartile, across them "
-              "the median");
-    if (chart.show_values) made[0].remarks.emplace_back("points are all values");
+            ? word("boxes from the lower to the upper quartile (linear between values) with the "
+                   "median; whiskers to the farthest values within 1.5 times the box's length")
+            : word("outlines are densities (normal distributions as wide as Scott's rule says), "
+                   "each as wide as the others; thick lines from the lower to the upper quartile, "
+                   "across them the median"));
+    if (chart.show_values) made[0].remarks.push_back(word("points are all values"));
     if (!chart.show_values && chart.shape == DistributionShape::box)
-        made[0].remarks.emplace_back("points are values beyond the whiskers");
+        made[0].remarks.push_back(word("points are values beyond the whiskers"));
     made[0].remarks.push_back(count_remark(all));
     made[0].content = std::make_unique<PlotPanel>(std::move(plot));
     return made;

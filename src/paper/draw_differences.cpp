@@ -8,6 +8,7 @@
 #include "base/quantity_text.h"
 #include "base/snapshot_lookup.h"
 #include "figure/panels/map_panel.h"
+#include "figure/words/words.h"
 #include "files/terrain/terrain_format.h"
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
@@ -36,7 +37,7 @@ DifferenceNames difference_names(const PanelSettings& settings, const std::strin
     const bool by_step = chart.minus_scene.empty() && chart.minus_set.empty();
     const auto told = [&](const std::vector<std::string>& set, const std::string& file,
                           std::int64_t at) {
-        if (by_step) return fmt::format("step {}", at);
+        if (by_step) return phrase("step {}", at);
         return set.empty() ? stem_of(file, scene) : fmt::format("{}", fmt::join(set, ", "));
     };
     if (names.of.empty()) names.of = told(settings.set, settings.scene, step);
@@ -120,7 +121,7 @@ std::vector<MadePanel> make_differences(const PanelSubject& subject, PanelTools&
         const std::string unit = unit_of(picture.colours.label);
         const std::string what =
             settings.field == "bed" || settings.field == "change"
-                ? "height"
+                ? word("height")
                 : picture.colours.label.substr(0, picture.colours.label.rfind(" ("));
         picture.colours.label =
             label_or(settings.bar_label,
@@ -134,8 +135,7 @@ std::vector<MadePanel> make_differences(const PanelSubject& subject, PanelTools&
         shown.colour_bar = bar ? BarPlace::right : BarPlace::none;
         shown.scale_bar = settings.scale_bar && k == 0;
         MadePanel one;
-        one.remarks.push_back(
-            fmt::format("{} of {} minus that of {}", what, names.of, names.minus));
+        one.remarks.push_back(phrase("{} of {} minus that of {}", what, names.of, names.minus));
         const Values values = values_of(picture);
         tell_ends(picture.colours, values);
         if (!chart.share_colours) one.remarks.push_back(range_sentence(picture.colours, values));

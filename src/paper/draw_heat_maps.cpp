@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/quantity_text.h"
 #include "figure/charts/heat_map.h"
+#include "figure/words/words.h"
 #include "files/csv_table.h"
 #include "measure/shared/undefined.h"
 #include "numerics/distribution.h"
@@ -158,7 +159,8 @@ void add_lines(HeatMap& map, const PanelSettings& settings, const Values& values
     const std::string of = unit.empty() ? "" : " " + unit;
     const bool every = !settings.contours.is_word() || settings.contours.word != "none";
     if (!levels.empty())
-        remarks.push_back(fmt::format("lines at {:g}{}", fmt::join(levels, ", "), of));
+        remarks.push_back(
+            phrase("lines at {}", fmt::format("{:g}{}", fmt::join(levels, ", "), of)));
     if (every && values && values->second > values->first) {
         constexpr int most = 8;
         constexpr double most_levels = 100.0;
@@ -171,7 +173,7 @@ void add_lines(HeatMap& map, const PanelSettings& settings, const Values& values
         for (double k = std::ceil(values->first / interval); k * interval <= values->second;
              k += 1.0)
             levels.push_back(k * interval);
-        remarks.push_back(fmt::format("lines every {:g}{}", interval, of));
+        remarks.push_back(phrase("lines every {}", fmt::format("{:g}{}", interval, of)));
     }
     for (const double level : levels) {
         std::vector<ContourLine> lines = cell_lines(map.values, level);
@@ -193,15 +195,15 @@ void add_count_remarks(std::vector<std::string>& remarks, const Cells& cells,
         fewest = std::min(fewest, cells.counts.values()[i]);
         most = std::max(most, cells.counts.values()[i]);
     }
-    std::string text = fewest < most ? fmt::format("n = {:g} to {:g} in a cell", fewest, most)
-                                     : fmt::format("n = {:g} in each cell", most);
-    if (chart.cell_text == CellText::value) text += "; numbers are means";
-    if (chart.cell_text == CellText::count) text += "; numbers are n";
-    if (chart.cell_text == CellText::value_and_count) text += "; numbers are means (and n)";
+    std::string text = fewest < most ? phrase("n = {} to {} in a cell", fewest, most)
+                                     : phrase("n = {} in each cell", most);
+    if (chart.cell_text == CellText::value) text += word("; numbers are means");
+    if (chart.cell_text == CellText::count) text += word("; numbers are n");
+    if (chart.cell_text == CellText::value_and_count) text += word("; numbers are means (and n)");
     remarks.push_back(text);
     if (empty > 0)
         remarks.push_back(
-            fmt::format("{} of {} cells are without a value (crossed)", empty, cells.means.size()));
+            phrase("{} of {} cells are without a value (crossed)", empty, cells.means.size()));
 }
 
 std::string csv_of(const CurveSettings& settings, const Table& table, const Places& x,
@@ -285,7 +287,7 @@ MadePanel heat_map_of(const CurvePlan& curve, const PanelSettings& settings,
     map.bar = settings.colour_bar ? BarPlace::right : BarPlace::none;
     MadePanel made;
     if (chart.classes.empty()) {
-        map.colours.label = label_or(settings.bar_label, quantity_text(asked.z, z_column.unit));
+        map.colours.label = label_or(settings.bar_label, quantity_in_words(asked.z, z_column.unit));
         tell_ends(map.colours, values);
         if (!chart.share_colours) made.remarks.push_back(range_sentence(map.colours, values));
     } else {
@@ -293,8 +295,8 @@ MadePanel heat_map_of(const CurvePlan& curve, const PanelSettings& settings,
         map.colours.classes = chart.classes;
         map.colours.palette = classes_of(map.colours.palette, chart.classes.size());
         map.colours.label = settings.bar_label;
-        made.remarks.push_back(fmt::format("colours by {}: {}", in_words(asked.z),
-                                           classes_text(chart, z_column.unit)));
+        made.remarks.push_back(phrase("colours by {}: {}", name_in_words(asked.z),
+                                      classes_text(chart, z_column.unit)));
     }
     add_lines(map, settings, values, made.remarks, z_column.unit);
     add_count_remarks(made.remarks, cells, chart);

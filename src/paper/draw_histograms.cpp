@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/quantity_text.h"
+#include "figure/words/words.h"
 #include "files/csv_table.h"
 #include "numerics/distribution.h"
 #include "paper/curve_rows.h"
@@ -156,19 +157,21 @@ std::vector<MadePanel> make_histograms(const PanelSubject& subject, PanelTools& 
         for (const std::int64_t count : counts) counted += count;
         const auto all = static_cast<std::int64_t>(sample.values.size());
         std::string remark = samples.size() > 1 && !sample.name.empty() ? sample.name + ": " : "";
-        remark += fmt::format("n = {}", counted);
-        if (counted < all)
-            remark += fmt::format(" ({} more lie outside of the bins)", all - counted);
+        remark += phrase("n = {}", counted);
+        if (counted < all) remark += phrase(" ({} more lie outside of the bins)", all - counted);
         made[0].remarks.push_back(remark);
         made[0].data.push_back({fmt::format("-{}.csv", made[0].data.size() + 1),
                                 csv_of(sample, edges, counts, heights, chart.bar_height)});
     }
     const Sample& first = samples.front();
     const std::string of = first.unit.empty() ? "" : " " + first.unit;
-    made[0].remarks.insert(made[0].remarks.begin(),
-                           fmt::format("{} bins{} from {:.4g} to {:.4g}{}", edges.size() - 1,
-                                       settings.x_logarithmic ? " of even logarithms" : "",
-                                       edges.front(), edges.back(), of));
+    const std::string low = fmt::format("{:.4g}", edges.front());
+    const std::string high = fmt::format("{:.4g}{}", edges.back(), of);
+    made[0].remarks.insert(
+        made[0].remarks.begin(),
+        settings.x_logarithmic
+            ? phrase("{} bins of even logarithms from {} to {}", edges.size() - 1, low, high)
+            : phrase("{} bins from {} to {}", edges.size() - 1, low, high));
     ValueRange range{edges.front(), edges.back()};
     for (const CurvePlan& curve : subject.panel.curves) {
         if (curve.settings.table != CurveTable::expression) continue;

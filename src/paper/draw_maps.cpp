@@ -13,6 +13,7 @@
 #include "figure/panels/axis_units.h"
 #include "figure/panels/hill_shading.h"
 #include "figure/panels/map_panel.h"
+#include "figure/words/words.h"
 #include "files/terrain/terrain_format.h"
 #include "measure/bed/crest_theory.h"
 #include "paper/panel_look.h"
@@ -146,8 +147,8 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
         }
         if (shown.contours) {
             one.remarks.push_back(
-                fmt::format("contours every {:g} {}", shown.contours->interval,
-                            height_unit(subject.first.scale.in_metres, INFINITY).symbol));
+                phrase("contours every {} {}", fmt::format("{:g}", shown.contours->interval),
+                       unit_word(height_unit(subject.first.scale.in_metres, INFINITY).symbol)));
         }
         for (TerrainBytes& file : find_written_format("esri-ascii")
                                       ->write({picture.values, picture.blank,

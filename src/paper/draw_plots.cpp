@@ -5,6 +5,7 @@
 
 #include "base/elementary_power.h"
 #include "figure/plot/plot.h"
+#include "figure/words/words.h"
 #include "paper/curve_remarks.h"
 #include "paper/figure_curve.h"
 #include "paper/figure_tables.h"

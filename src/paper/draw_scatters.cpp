@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/quantity_text.h"
 #include "figure/charts/coloured_plot.h"
+#include "figure/words/words.h"
 #include "files/csv_table.h"
 #include "numerics/distribution.h"
 #include "paper/curve_rows.h"
@@ -151,11 +152,11 @@ std::vector<MadePanel> make_scatters(const PanelSubject& subject, PanelTools& to
     plot.legend = legend_of(settings.legend);
     made[0].warnings = check_limits(subject.panel, plot, tools.plan.scene);
     ColourScale colours = colours_of(settings, tools.plan.scene, all);
-    colours.label = label_or(settings.bar_label, quantity_text(first->z_name, first->z_unit));
+    colours.label = label_or(settings.bar_label, quantity_in_words(first->z_name, first->z_unit));
     const PanelColours::Values shown = std::pair{all.front(), all.back()};
     tell_ends(colours, shown);
     if (!settings.chart.share_colours) made[0].remarks.push_back(range_sentence(colours, shown));
-    made[0].remarks.push_back(fmt::format("{} points, one for each row", all.size()));
+    made[0].remarks.push_back(phrase("{} points, one for each row", all.size()));
     auto content =
         std::make_unique<ColouredPlotPanel>(std::move(plot), std::move(values), std::move(colours),
                                             settings.colour_bar ? BarPlace::right : BarPlace::none);

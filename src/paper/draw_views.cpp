@@ -13,6 +13,7 @@
 #include "figure/panels/map_picture.h"
 #include "figure/panels/relief_view.h"
 #include "figure/panels/view_panel.h"
+#include "figure/words/words.h"
 #include "files/terrain/terrain_format.h"
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
@@ -119,7 +120,8 @@ std::vector<MadePanel> make_views(const PanelSubject& subject, PanelTools& tools
         shown.compass = has_compass(settings.arrow);
         MadePanel one;
         if (renderer.exaggeration() != 1.0)
-            one.remarks.push_back(fmt::format("heights × {:g}", renderer.exaggeration()));
+            one.remarks.push_back(
+                phrase("heights × {}", fmt::format("{:g}", renderer.exaggeration())));
         if (colours) {
             one.remarks.push_back(colours->remark);
             shown.colours = colours->scale;
@@ -131,8 +133,9 @@ std::vector<MadePanel> make_views(const PanelSubject& subject, PanelTools& tools
                                            renderer.exaggeration(), progress);
         add_contours(picture, view, settings.contours, subject.first, snapshot);
         if (!picture.contours.empty()) {
-            one.remarks.push_back(fmt::format("contours every {:g} {}", picture.contour_interval,
-                                              height_unit(picture.in_metres, INFINITY).symbol));
+            one.remarks.push_back(
+                phrase("contours every {} {}", fmt::format("{:g}", picture.contour_interval),
+                       unit_word(height_unit(picture.in_metres, INFINITY).symbol)));
         }
         one.content = std::make_unique<ViewPanel>(std::move(picture), std::move(shown));
         for (TerrainBytes& file : bed_files(snapshot, std::array{std::string("esri-ascii")}))

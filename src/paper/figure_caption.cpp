@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "figure/page/page_grid.h"
+#include "figure/words/words.h"
 #include "outputs/own_file.h"
 #include "paper/caption/caption_facts.h"
 
@@ -14,8 +15,8 @@ namespace fumon {
 namespace {
 
 std::string seeds_text(const SweepPlan& plan) {
-    if (plan.seeds.count() == 1) return fmt::format("seed {}", plan.seeds.first);
-    return fmt::format("seeds {} to {}", plan.seeds.first, plan.seeds.last);
+    if (plan.seeds.count() == 1) return phrase("seed {}", plan.seeds.first);
+    return phrase("seeds {} to {}", plan.seeds.first, plan.seeds.last);
 }
 
 std::string varied_text(const SweepPlan& plan) {
@@ -52,37 +53,35 @@ std::string curve_sentence(const CurvePlan& curve, PanelKind kind, std::size_t n
     const CurveSettings& settings = curve.settings;
     if (settings.table == CurveTable::expression) {
         std::string text =
-            fmt::format("Curve {}: y = {}", number, formula_text(settings.expression));
+            phrase("Curve {}: {}", number, "y = " + formula_text(settings.expression));
         if (!settings.constants.empty())
             text += fmt::format(", {}", fmt::join(settings.constants, ", "));
         return text + ".";
     }
-    std::string text = fmt::format("Curve {}: {} over {}", number, settings.y, settings.x);
-    if (kind == PanelKind::histogram)
-        text = fmt::format("Curve {}: values of {}", number, settings.y);
+    std::string text = phrase("Curve {}: {} over {}", number, settings.y, settings.x);
+    if (kind == PanelKind::histogram) text = phrase("Curve {}: values of {}", number, settings.y);
     if (!settings.z.empty())
-        text =
-            fmt::format("Curve {}: {} over {} and {}", number, settings.z, settings.x, settings.y);
-    if (!settings.group_by.empty()) text += fmt::format(", one for each {}", settings.group_by);
+        text = phrase("Curve {}: {} over {} and {}", number, settings.z, settings.x, settings.y);
+    if (!settings.group_by.empty()) text += phrase(", one for each {}", settings.group_by);
     if (!settings.where.empty())
-        text += fmt::format(", where {}", fmt::join(settings.where, " and "));
-    if (settings.scale_x != 1.0) text += fmt::format(", x times {}", settings.scale_x);
-    if (settings.offset_y != 0.0) text += fmt::format(", y plus {}", settings.offset_y);
-    if (settings.scale_y != 1.0) text += fmt::format(", y times {}", settings.scale_y);
-    if (!curve.sweep) return fmt::format("{}; from {}.", text, settings.file);
+        text += phrase(", where {}", fmt::format("{}", fmt::join(settings.where, word(" and "))));
+    if (settings.scale_x != 1.0) text += phrase(", x times {}", settings.scale_x);
+    if (settings.offset_y != 0.0) text += phrase(", y plus {}", settings.offset_y);
+    if (settings.scale_y != 1.0) text += phrase(", y times {}", settings.scale_y);
+    if (!curve.sweep) return text + phrase("; from {}", settings.file) + ".";
     if (settings.table == CurveTable::profile || settings.table == CurveTable::section ||
         settings.table == CurveTable::flights)
-        text += fmt::format("; step {}", curve.step);
+        text += phrase("; step {}", curve.step);
     return fmt::format("{};{} {}{}.", text, varied_text(*curve.sweep), seeds_text(*curve.sweep),
                        after(own));
 }
 
 std::string picture_sentence(const PicturePlan& picture, PanelKind kind, const std::string& own) {
-    std::string steps = picture.steps.size() == 1 ? "step " : "steps ";
-    steps += shown_by(kind) == PanelShows::whole_run
-                 ? fmt::format("{} to {}", picture.steps.front(), picture.steps.back())
-                 : fmt::format("{}", fmt::join(picture.steps, ", "));
-    return fmt::format("{}; seed {}{}.", steps, picture.scene.seed, after(own));
+    std::string steps = shown_by(kind) == PanelShows::whole_run
+                            ? phrase("{} to {}", picture.steps.front(), picture.steps.back())
+                            : fmt::format("{}", fmt::join(picture.steps, ", "));
+    steps = picture.steps.size() == 1 ? phrase("step {}", steps) : phrase("steps {}", steps);
+    return fmt::format("{}; {}{}.", steps, phrase("seed {}", picture.scene.seed), after(own));
 }
 
 std::string capitalized(std::string text) {
@@ -107,10 +106,10 @@ std::vector<CaptionRun> runs_in_order(const FigurePlan& plan) {
 
 /// "(a): ", "(b) to (d): "; nothing where the figure has one panel only, which has no letter.
 std::string heading(const FigurePlan& plan, std::size_t letter, std::size_t panels, bool inset) {
-    if (inset) return letter == 0 ? "" : panel_letter(letter - 1) + ", inset: ";
+    if (inset) return letter == 0 ? "" : phrase("{}, inset: ", panel_letter(letter - 1));
     if (plan.panels.size() == 1 && panels == 1) return {};
     if (panels == 1) return panel_letter(letter) + ": ";
-    return fmt::format("{} to {}: ", panel_letter(letter), panel_letter(letter + panels - 1));
+    return phrase("{} to {}: ", panel_letter(letter), panel_letter(letter + panels - 1));
 }
 
 }  // namespace
@@ -123,7 +122,7 @@ std::string figure_caption(const FigurePlan& plan,
     const std::vector<CaptionRun> runs = runs_in_order(plan);
     const CaptionFacts facts(runs);
     if (const std::string shared = facts.shared(); !shared.empty())
-        text += fmt::format("\n{}{}.\n", runs.size() > 1 ? "All: " : "", shared);
+        text += fmt::format("\n{}{}.\n", runs.size() > 1 ? word("All: ") : "", shared);
     std::size_t letter = 0;
     std::size_t run = 0;
     for (std::size_t p = 0; p < plan.panels.size(); ++p) {
@@ -136,7 +135,7 @@ std::string figure_caption(const FigurePlan& plan,
         const PanelKind kind = panel.settings.kind;
         if (panel.picture) text += picture_sentence(*panel.picture, kind, facts.own(run++)) + "\n";
         if (panel.minus)
-            text += "Minus " + picture_sentence(*panel.minus, kind, facts.own(run++)) + "\n";
+            text += word("Minus ") + picture_sentence(*panel.minus, kind, facts.own(run++)) + "\n";
         std::size_t number = 0;
         for (const CurvePlan& curve : panel.curves) {
             const std::string own = curve.sweep ? facts.own(run++) : std::string();

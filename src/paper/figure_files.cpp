@@ -94,6 +94,7 @@ PageFormat page_format(const fs::path& file) {
 
 DrawnPage draw_figure(const FigurePlan& plan, const FigurePage& made, PageFormat format,
                       const FigureMetadata& metadata) {
+    const Speaking speaking(plan.words);
     try {
         return draw_page(made.page, format, plan.scene.figure.dots_per_inch, metadata);
     } catch (const InputError& refusal) {
@@ -104,6 +105,7 @@ DrawnPage draw_figure(const FigurePlan& plan, const FigurePage& made, PageFormat
 std::vector<WholeFile> figure_files(const FigurePlan& plan, const FigureSources& sources,
                                     const FigurePage& made, const fs::path& folder,
                                     std::vector<std::string>& notes) {
+    const Speaking speaking(plan.words);
     const FigureMetadata metadata = figure_metadata(plan, sources);
     std::vector<WholeFile> files;
     for (const std::string& format : plan.scene.figure.formats) {

@@ -233,6 +233,7 @@ class Assembly {
 
 FigurePage figure_page(const FigurePlan& plan, const FigureRuns& runs, const RunStore& store,
                        const FigureDrawing& drawing) {
+    const Speaking speaking(plan.words);
     return Assembly(plan, runs, store, drawing).assemble();
 }
 

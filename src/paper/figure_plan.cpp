@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/find_named.h"
 #include "base/nearest_name.h"
+#include "figure/words/chosen_words.h"
 #include "keys/keys.h"
 #include "paper/curve_rows.h"
 #include "paper/figure_tables.h"
@@ -367,6 +368,18 @@ class Planner {
     SceneText text_;
 };
 
+/// The words in which a figure is written.
+void choose_words(FigurePlan& plan, FigureSources& sources) {
+    const std::string& own = plan.scene.figure.words;
+    try {
+        const std::string text =
+            own.empty() ? std::string() : sources.text(plan.scene.directory / own).text;
+        plan.words = figure_words(plan.scene, text);
+    } catch (const KeyError& fault) {
+        throw InputError(plan.scene.at(fault.key()) + fault.what());
+    }
+}
+
 }  // namespace
 
 std::optional<FigurePlan> plan_figure(const std::string& file,
@@ -378,6 +391,7 @@ std::optional<FigurePlan> plan_figure(const std::string& file,
     plan.name = fs::path(file).stem().string();
     plan.settings = settings;
     if (!Planner(plan, sources, runs, store).read()) return std::nullopt;
+    choose_words(plan, sources);
     return plan;
 }
 

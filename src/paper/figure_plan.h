@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "figure/words/words.h"
 #include "files/csv_table.h"
 #include "paper/store/figure_runs.h"
 #include "paper/store/figure_sources.h"
@@ -44,7 +46,8 @@ struct FigurePlan {
     std::string name;  ///< of its files, without their ends
     std::string file;  ///< the scene's
     Scene scene;
-    std::vector<std::string> settings;  ///< of --set
+    std::shared_ptr<const WordTable> words{};  ///< in which it is written; null: English
+    std::vector<std::string> settings;         ///< of --set
     std::vector<PanelPlan> panels;
     std::vector<InputFile> inputs;   ///< terrain files
     std::vector<std::string> notes;  ///< what the user should hear before the start

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/quantity_text.h"
+#include "figure/words/words.h"
 
 namespace fumon {
 
@@ -59,12 +60,12 @@ std::string range_sentence(const ColourScale& colours,
     const std::string unit = unit_of(colours.label);
     const std::string of = unit.empty() ? "" : " " + unit;
     std::string text =
-        fmt::format("colours from {} to {}{}", number(colours.low), number(colours.high), of);
+        phrase("colours from {} to {}", number(colours.low), number(colours.high) + of);
     if (values && (colours.values_below || colours.values_above)) {
-        text += fmt::format(" (values from {} to {}{})", number(values->first),
-                            number(values->second), of);
+        text +=
+            phrase(" (values from {} to {})", number(values->first), number(values->second) + of);
     } else if (colours.values_below || colours.values_above) {
-        text += " (values lie beyond)";
+        text += word(" (values lie beyond)");
     }
     return text;
 }

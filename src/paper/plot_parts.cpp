@@ -4,7 +4,7 @@
 
 #include "base/elementary_power.h"
 #include "base/error.h"
-#include "base/quantity_text.h"
+#include "figure/words/words.h"
 #include "numerics/expression.h"
 #include "paper/curve_rows.h"
 #include "paper/figure_tables.h"
@@ -12,7 +12,8 @@
 namespace fumon {
 
 std::string axis_label(const std::string& given, const std::string& name, const std::string& unit) {
-    return label_or(given, quantity_text(name.substr(name.rfind('.') + 1), unit));  // a key's last
+    return label_or(given,
+                    quantity_in_words(name.substr(name.rfind('.') + 1), unit));  // a key's last
 }
 
 namespace {

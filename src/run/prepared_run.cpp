@@ -10,6 +10,7 @@
 #include "base/snapshots/ground_range.h"
 #include "figure/overlays/frame_overlays.h"
 #include "figure/panels/section_figure.h"
+#include "figure/words/chosen_words.h"
 #include "files/csv_table.h"
 #include "files/input_file.h"
 #include "models/registry.h"
@@ -183,6 +184,12 @@ void complete(Scene& scene) {
     name_parameter_keys(scene);
     read_wind_tables(scene);
     read_edge_tables(scene);
+    read_picture_words(scene);
+    try {
+        static_cast<void>(picture_words(scene.view.image));
+    } catch (const KeyError& refusal) {
+        throw InputError(scene.at(refusal.key()) + refusal.what());
+    }
 }
 
 /// Heights and cells are those of ground. Of a file that others named, a refusal tells nothing of

@@ -189,6 +189,8 @@ struct ImageSettings {
     bool deep_colour = false;        ///< PNG of 16 bits a channel
     std::int64_t quality = 92;       ///< of JPEG and WebP, 1 … 100
     bool lossless = false;           ///< WebP without loss
+    std::string language = "en";     ///< of what fumon writes on it
+    std::vector<std::string> words;  ///< others in their place: files, or "words: wind = 風"
 };
 
 enum class SectionArrows { arrows, streamlines, none };

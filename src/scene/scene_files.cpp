@@ -52,6 +52,7 @@ void add_other_scene(const Scene& scene, const std::string& other, std::vector<f
 std::vector<fs::path> scene_files(const Scene& scene) {
     std::vector<fs::path> files;
     add_inputs(scene, files);
+    if (!scene.figure.words.empty()) files.push_back(scene.directory / scene.figure.words);
     for (const PanelSettings& panel : scene.figure.panels) {
         add_other_scene(scene, panel.scene, files);
         add_other_scene(scene, panel.chart.minus_scene, files);

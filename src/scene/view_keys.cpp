@@ -443,6 +443,13 @@ void list_view_keys(View& view, KeyTable& table) {
          .help =
              "quality of JPEG and WebP pictures: a higher one loses less and makes larger files"});
     table.boolean("image.lossless", image.lossless, {.help = "WebP pictures without any loss"});
+    table.text("image.language", image.language,
+               {.help = "of the words and units that fumon writes over pictures: en, or a table of "
+                        "assets/words (ja)"});
+    table.text_list("image.words", image.words,
+                    {.help = "words in the place of those: files of such a form that end in .toml, "
+                             "or entries, \"words: wind = 風\", \"units: yr = 年\", \"names: "
+                             "dune height = 砂丘の高さ\""});
     table.tables("person", view.persons,
                  "a person of 1.75 m who stands on the bed as a scale (scenic, perspective)",
                  list_person_keys);

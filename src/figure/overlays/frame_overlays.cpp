@@ -16,6 +16,7 @@
 #include "figure/canvas/furniture.h"
 #include "figure/canvas/layers.h"
 #include "figure/overlays/overlay_text.h"
+#include "figure/words/chosen_words.h"
 #include "render/view/shown_snapshot.h"
 #include "scene/scene.h"
 
@@ -161,7 +162,9 @@ struct FrameOverlays::DrawnOverlay {
     }
 };
 
-FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const OverlayStyle& style) {
+FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const OverlayStyle& style)
+    : words_(picture_words(scene.view.image)) {
+    const Speaking speaking(words_);
     const std::vector<OverlaySettings>& overlays = scene.view.overlays;
     const bool flat = first.section && scene.view.look.mode == ViewMode::figure;
     const std::optional<Snapshot> shown = shown_snapshot(first, scene.view);
@@ -225,6 +228,7 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
 FrameOverlays::~FrameOverlays() = default;
 
 void FrameOverlays::draw(Image& image, const OverlayFrame& frame, double opacity) {
+    const Speaking speaking(words_);
     if (contours_) {
         std::vector<CanvasBox> taken;
         for (const PlacedOverlay& place : placed_) taken.push_back(place.box);

@@ -6,6 +6,7 @@
 
 #include "figure/overlays/frame_contours.h"
 #include "figure/overlays/overlay.h"
+#include "figure/words/words.h"
 
 namespace fumon {
 
@@ -54,6 +55,7 @@ class FrameOverlays {
   private:
     struct DrawnOverlay;
 
+    std::shared_ptr<const WordTable> words_;   ///< in which they are written
     std::unique_ptr<FrameContours> contours_;  ///< below all others; null: none
     std::vector<PlacedOverlay> placed_;
     std::vector<DrawnOverlay> drawn_;

@@ -6,6 +6,7 @@
 #include "figure/overlays/overlay.h"
 #include "figure/overlays/overlay_text.h"
 #include "figure/panels/colour_bar.h"
+#include "figure/words/words.h"
 #include "render/colour/colouring.h"
 
 namespace fumon {
@@ -21,9 +22,10 @@ struct ColourQuantity {
 /// `called`: the name of a height; empty: the usual one.
 ColourQuantity quantity_of(Colouring colour_by, const Snapshot& first, const std::string& called) {
     const WorldScale& scale = first.scale;
-    const auto height = [&](const std::string& usual) -> ColourQuantity {
-        const std::string& name = called.empty() ? usual : called;
-        if (!scale.in_metres) return {name + " (model heights)", 1.0};
+    const auto height = [&](Word usual) -> ColourQuantity {
+        const std::string name = called.empty() ? word(usual) : called;
+        if (!scale.in_metres)
+            return {fmt::format("{} ({})", name, unit_word("model heights")), 1.0};
         constexpr double short_bed = 10.0;
         const bool small =
             std::max(first.bed.nx() * scale.dx, first.bed.ny() * scale.dy) < short_bed;
@@ -32,18 +34,19 @@ ColourQuantity quantity_of(Colouring colour_by, const Snapshot& first, const std
     };
     switch (colour_by) {
         case Colouring::slope:
-            return {"slope (°)", 1.0};
+            return {labelled("slope", "°"), 1.0};
         case Colouring::change:
             return height("change of height");
         case Colouring::water_depth:
-            return {"water depth (m)", 1.0};
+            return {labelled("water depth", "m"), 1.0};
         case Colouring::speed:
-            return {"speed (m/s)", 1.0};
+            return {labelled("speed", "m/s"), 1.0};
         case Colouring::froude:
-            return {"Froude number", 1.0};
+            return {word("Froude number"), 1.0};
         case Colouring::drainage:
-            return {scale.in_metres ? "drainage area (log10 m²)" : "drainage area (log10 cells)",
-                    1.0};
+            return {
+                labelled("drainage area", scale.in_metres ? word("log10 m²") : word("log10 cells")),
+                1.0};
         case Colouring::natural:
         case Colouring::height:
             break;
@@ -58,7 +61,7 @@ class ColourBarOverlay : public Overlay {
         scale_.palette = chosen_palette(on.scene.view.look);
         const LookSettings& look = on.scene.view.look;
         const bool of_frame = look.range == ColourSpan::frame && ranges_by_values(look);
-        scale_.label = quantity_.label + (of_frame ? ", ends of this frame" : "");
+        scale_.label = quantity_.label + (of_frame ? word(", ends of this frame") : "");
     }
 
     [[nodiscard]] FurnitureSize size(const Canvas& canvas) const override {

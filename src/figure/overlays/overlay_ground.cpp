@@ -10,6 +10,7 @@
 #include "figure/overlays/overlay_text.h"
 #include "figure/panels/ground_arrow.h"
 #include "figure/panels/scale_bar.h"
+#include "figure/words/words.h"
 #include "measure/suite.h"
 #include "render/view/framing.h"
 #include "scene/initial_bed.h"
@@ -31,8 +32,8 @@ class ScaleBarOverlay : public Overlay {
 
     [[nodiscard]] FurnitureSize size(const Canvas& canvas) const override {
         if (!moves_) return scale_bar_size(canvas, bar(camera_, view_));
-        ScaleBar widest{0.0, longest(), in_metres_ ? "500 mm" : "5000 sites"};
-        if (camera_.perspective) widest.text += at_middle;
+        ScaleBar widest{0.0, longest(), in_metres_ ? "500 mm" : "5000 " + unit_word("sites")};
+        if (camera_.perspective) widest.text += word(" at the middle");
         return scale_bar_size(canvas, widest);
     }
     [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
@@ -44,15 +45,13 @@ class ScaleBarOverlay : public Overlay {
     }
 
   private:
-    static constexpr const char* at_middle = " at the middle";
-
     [[nodiscard]] double longest() const {
         return longest_bar_of_picture * static_cast<double>(view_.image.width);
     }
     [[nodiscard]] ScaleBar bar(const Camera& camera, const View& view) const {
         ScaleBar made =
             round_scale_bar(in_metres_, pixels_per_length(camera, view) / block_.side, longest());
-        if (camera.perspective) made.text += at_middle;
+        if (camera.perspective) made.text += word(" at the middle");
         return made;
     }
     [[nodiscard]] ScaleBar bar_in(const OverlayFrame& frame) const {

@@ -12,6 +12,7 @@
 #include "base/nearest_name.h"
 #include "base/quantity_text.h"
 #include "figure/overlays/overlay_text.h"
+#include "figure/words/words.h"
 #include "scene/lives_in_metres.h"
 
 namespace fumon {
@@ -42,8 +43,8 @@ PlotAxis axis_of(const MeasuredColumn& column, double run_end) {
             : growing_range(column.values);
     PlotAxis axis;
     axis.label = name == "time" && column.column.unit == "steps"
-                     ? "step"
-                     : quantity_text(name, column.column.unit);
+                     ? word("step")
+                     : quantity_in_words(name, column.column.unit);
     axis.low = range.first;
     axis.high = range.second;
     return axis;
@@ -72,7 +73,7 @@ class LivePlot : public Overlay {
         };
         find("x", settings_.x);
         const MeasureColumn shown = find("y", settings_.y);
-        heading_ = quantity_text(shown.name, shown.unit);
+        heading_ = quantity_in_words(shown.name, shown.unit);
         if (!settings_.low.is_word() && !settings_.high.is_word() &&
             !(settings_.low.value < settings_.high.value)) {
             throw KeyError(overlay_key(number, "high"),

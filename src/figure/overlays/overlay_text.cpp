@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/quantity_text.h"
+#include "figure/words/words.h"
 #include "keys/keys.h"
 #include "scene/placeholders.h"
 #include "scene/scene_keys.h"
@@ -118,9 +119,9 @@ std::string chosen_text(const OverlayScene& on, std::size_t number, const std::s
 
 /// "hop base = 10 sites", of a key.
 std::string parameter_text_of(const Scene& scene, const Key& key) {
-    const std::string name = in_words(key.path.substr(key.path.rfind('.') + 1));
+    const std::string name = name_in_words(key.path.substr(key.path.rfind('.') + 1));
     const std::string value = shown_value(scene, key.path).value_or("");
-    const std::string unit = key.notes.unit.empty() ? "" : " " + key.notes.unit;
+    const std::string unit = key.notes.unit.empty() ? "" : " " + unit_word(key.notes.unit);
     return fmt::format("{} = {}{}", name, value, unit);
 }
 
@@ -169,7 +170,7 @@ class ParameterLine : public Overlay {
 
 std::string TimeText::operator()(double time) const {
     const int by_its_size = time <= 0.0 || time >= 10.0 ? 0 : time < 1.0 ? 2 : 1;
-    return with_commas(time, decimals == by_size ? by_its_size : decimals) + " " + unit;
+    return with_commas(time, decimals == by_size ? by_its_size : decimals) + " " + unit_word(unit);
 }
 
 TimeText time_text_of(const Scene& scene, const Snapshot& first) {
@@ -207,7 +208,7 @@ std::unique_ptr<Overlay> make_title_overlay(const OverlayScene& on, std::size_t 
 
 std::unique_ptr<Overlay> make_time_overlay(const OverlayScene& on, std::size_t number) {
     const bool steps_only = on.first.time_unit == "steps";
-    const std::string usual = steps_only ? "step {step}" : "t = {time},  step {step}";
+    const std::string usual = steps_only ? word("step {step}") : word("t = {time},  step {step}");
     return std::make_unique<TextOverlay>(on, number, chosen_text(on, number, usual), 1.0, false);
 }
 

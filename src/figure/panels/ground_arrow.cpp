@@ -9,6 +9,7 @@
 #include "base/elementary.h"
 #include "base/find_named.h"
 #include "base/units.h"
+#include "figure/words/words.h"
 
 namespace fumon {
 
@@ -124,7 +125,7 @@ CompassShape compass_shape(const Canvas& canvas, const GroundAxes& axes, double 
             shape.letter.extent.take(point + 0.5 * canvas.line_width());
         }
     }
-    const auto size = canvas.text_size("N", arrow_text);
+    const auto size = canvas.text_size(word("N"), arrow_text);
     const glm::dvec2 tip = font * half * axes(north);
     const double seen = std::max(glm::length(tip), 1e-9);
     const double beyond =
@@ -207,7 +208,7 @@ void draw_compass(Canvas& canvas, const GroundAxes& axes, const CanvasBox& box, 
         rim.push_back({point.x, point.y});
     }
     canvas.stroke(rim, canvas.line_width(), ink);
-    canvas.write("N", {middle.x + letter.label.x, middle.y + letter.label.y}, {0.5, 0.5}, ink,
+    canvas.write(word("N"), {middle.x + letter.label.x, middle.y + letter.label.y}, {0.5, 0.5}, ink,
                  arrow_text);
 }
 

@@ -8,6 +8,7 @@
 #include "base/snapshot_lookup.h"
 #include "figure/canvas/furniture.h"
 #include "figure/panels/ground_axes.h"
+#include "figure/words/words.h"
 
 namespace fumon {
 
@@ -22,12 +23,13 @@ struct GroundDirection {
 inline std::optional<GroundDirection> wind_direction(const Snapshot& snapshot) {
     const std::optional<Way> way = downwind(snapshot);
     if (!way) return std::nullopt;
-    return GroundDirection{{way->x, way->y}, snapshot.winds.size() > 1 ? "drift" : "wind"};
+    return GroundDirection{{way->x, way->y},
+                           snapshot.winds.size() > 1 ? word("drift") : word("wind")};
 }
 
 /// Water flows down the slope, toward −y, south.
 inline GroundDirection flow_direction() {
-    return {{0.0, -1.0}, "flow"};
+    return {{0.0, -1.0}, word("flow")};
 }
 
 /// What an arrow with its label takes; `length` font sizes where nothing shortens it.

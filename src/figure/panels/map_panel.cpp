@@ -16,6 +16,7 @@
 #include "figure/panels/axis_units.h"
 #include "figure/panels/scale_bar.h"
 #include "figure/plot/coordinate_scale.h"
+#include "figure/words/words.h"
 #include "numerics/percentile.h"
 #include "render/view/water.h"
 
@@ -106,11 +107,11 @@ Axes MapPanel::axes_in(const CanvasBox& frame) const {
     const BedExtent extent = bed_extent(picture_.values, picture_.scale);
     const LengthUnit unit =
         length_unit(picture_.scale.in_metres, std::max(extent.width, extent.height));
-    return {frame,
-            {0.0, extent.width / unit.length,
-             label_or(settings_.x_label, fmt::format("x ({})", unit.symbol))},
-            {0.0, extent.height / unit.length,
-             label_or(settings_.y_label, fmt::format("y ({})", unit.symbol)), settings_.y_axis}};
+    return {
+        frame,
+        {0.0, extent.width / unit.length, label_or(settings_.x_label, labelled("x", unit.symbol))},
+        {0.0, extent.height / unit.length, label_or(settings_.y_label, labelled("y", unit.symbol)),
+         settings_.y_axis}};
 }
 
 /// The axes that are drawn: by default those of axes_in().

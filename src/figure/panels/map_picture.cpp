@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/find_named.h"
 #include "figure/panels/axis_units.h"
+#include "figure/words/words.h"
 #include "numerics/percentile.h"
 #include "render/view/water.h"
 
@@ -30,27 +31,27 @@ struct Quantity {
 Quantity quantity_of(Colouring colour_by, const WorldScale& scale,
                      std::pair<double, double> range) {
     const double largest = std::max(std::abs(range.first), std::abs(range.second));
-    const auto height = [&](const char* name, const char* palette) {
+    const auto height = [&](Word name, const char* palette) {
         const LengthUnit unit = height_unit(scale.in_metres, largest * scale.height_unit);
-        return Quantity{fmt::format("{} ({})", name, unit.symbol), scale.height_unit / unit.length,
-                        palette};
+        return Quantity{labelled(name, unit.symbol), scale.height_unit / unit.length, palette};
     };
     switch (colour_by) {
         case Colouring::slope:
-            return {"slope (°)", 1.0, "viridis"};
+            return {labelled("slope", "°"), 1.0, "viridis"};
         case Colouring::change:
             return height("change of height", "vik");
         case Colouring::water_depth: {
             const LengthUnit unit = height_unit(true, largest);
-            return {fmt::format("depth ({})", unit.symbol), 1.0 / unit.length, "cividis"};
+            return {labelled("depth", unit.symbol), 1.0 / unit.length, "cividis"};
         }
         case Colouring::speed:
-            return {"speed (m/s)", 1.0, "viridis"};
+            return {labelled("speed", "m/s"), 1.0, "viridis"};
         case Colouring::froude:
-            return {"Froude number", 1.0, "viridis"};
+            return {word("Froude number"), 1.0, "viridis"};
         case Colouring::drainage:
-            return {scale.in_metres ? "drainage area (log10 m²)" : "drainage area (log10 cells)",
-                    1.0, "viridis"};
+            return {
+                labelled("drainage area", scale.in_metres ? word("log10 m²") : word("log10 cells")),
+                1.0, "viridis"};
         default:
             return height("height", "batlow");
     }

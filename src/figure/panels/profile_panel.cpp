@@ -18,6 +18,7 @@
 #include "figure/panels/row_means.h"
 #include "figure/panels/scale_bar.h"
 #include "figure/panels/step_text.h"
+#include "figure/words/words.h"
 #include "render/view/water.h"
 
 namespace fumon {
@@ -106,10 +107,10 @@ Axes ProfilePanel::axes_in(const CanvasBox& frame) const {
     const double low = low_ - room_below_line * relief_;
     return {frame,
             {0.0, picture_.length / unit.length,
-             label_or(picture_.x_label, fmt::format("{} ({})", picture_.along, unit.symbol))},
+             label_or(picture_.x_label,
+                      fmt::format("{} ({})", picture_.along, unit_word(unit.symbol)))},
             {low / heights.length, (low + shown) / heights.length,
-             label_or(picture_.y_label, fmt::format("z ({})", heights.symbol)), !stacked(),
-             !stacked()}};
+             label_or(picture_.y_label, labelled("z", heights.symbol)), !stacked(), !stacked()}};
 }
 
 PanelMargins ProfilePanel::margins(const Canvas& canvas, double width, double height) const {
@@ -177,7 +178,7 @@ void ProfilePanel::draw_height_bar(Canvas& canvas, const Axes& axes) const {
     const CanvasPoint high{x, frame.bottom() - shown};
     canvas.stroke(std::array<CanvasPoint, 2>{low, high}, 2.0 * canvas.line_width(), dark_ink);
     const LengthUnit heights = height_unit(picture_.in_metres, height);
-    canvas.write(fmt::format("{:g} {}", height / heights.length, heights.symbol),
+    canvas.write(fmt::format("{:g} {}", height / heights.length, unit_word(heights.symbol)),
                  {x - 0.3 * font, frame.bottom()}, {1.0, 1.0}, {}, tick_text, true);
 }
 
@@ -198,8 +199,9 @@ void ProfilePanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     axes.draw(canvas);
     if (stacked()) draw_height_bar(canvas, axes);
     const double above = frame.y - 0.5 * room_of_name * font;
-    canvas.write(fmt::format("heights × {:g}", exaggeration(frame.width, frame.height)),
-                 {frame.right(), above}, {1.0, 0.5}, {}, tick_text);
+    canvas.write(
+        phrase("heights × {}", fmt::format("{:g}", exaggeration(frame.width, frame.height))),
+        {frame.right(), above}, {1.0, 0.5}, {}, tick_text);
     if (!picture_.wind || picture_.wind->towards.y != 0.0) return;
     const GroundDirection wind{picture_.wind->towards, ""};
     const FurnitureSize size = ground_arrow_size(canvas, wind, map_axes());

@@ -8,6 +8,7 @@
 
 #include "base/elementary_power.h"
 #include "figure/panels/axis_units.h"
+#include "figure/words/words.h"
 
 namespace fumon {
 
@@ -16,12 +17,12 @@ namespace {
 constexpr double bar_text = 0.9;
 
 std::string length_text(bool in_metres, double length) {
-    if (!in_metres && length == 1.0) return "1 site";
+    if (!in_metres && length == 1.0) return word("1 site");
     // A bar, unlike an axis, counts in kilometres as soon as it is one.
     constexpr double kilometre = 1e3;
     if (in_metres && length >= kilometre) return fmt::format("{:g} km", length / kilometre);
     const LengthUnit unit = length_unit(in_metres, length);
-    return fmt::format("{:g} {}", length / unit.length, unit.symbol);
+    return fmt::format("{:g} {}", length / unit.length, unit_word(unit.symbol));
 }
 
 }  // namespace

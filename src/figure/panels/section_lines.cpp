@@ -11,6 +11,7 @@
 #include "base/elementary.h"
 #include "base/elementary_power.h"
 #include "base/snapshot_lookup.h"
+#include "figure/words/words.h"
 
 namespace fumon {
 
@@ -23,7 +24,7 @@ const std::string length_prefix = "flight_length_";
 /// An axis from 0 along the whole section.
 PlotAxis axis_along(const Snapshot& snapshot, const LengthUnit& unit) {
     PlotAxis axis;
-    axis.label = fmt::format("x ({})", unit.symbol);
+    axis.label = labelled("x", unit.symbol);
     axis.low = 0.0;
     axis.high = snapshot.bed.nx() * snapshot.section->dx / unit.length;
     return axis;
@@ -87,9 +88,9 @@ Plot stress_plot(const Snapshot& snapshot, const LengthUnit& unit) {
     const auto phase = number_of(snapshot, "stress_phase");
     const auto waves = number_of(snapshot, "bed_waves");
     if (mean && amplitude && phase && waves) {
-        plot.series.front().label = "stress";
+        plot.series.front().label = word("stress");
         PlotSeries fit;
-        fit.label = "cosine fit";
+        fit.label = word("cosine fit");
         fit.kind = SeriesKind::fit;
         for (std::size_t i = 0; i <= columns; ++i) {
             const double place = static_cast<double>(i);
@@ -116,7 +117,7 @@ Plot flights_plot(const Snapshot& snapshot, const LengthUnit& unit) {
         plot.series.push_back(std::move(series));
     }
     plot.x = axis_along(snapshot, unit);
-    plot.y = axis_from_zero(plot.series, fmt::format("flight length ({})", unit.symbol));
+    plot.y = axis_from_zero(plot.series, labelled("flight length", unit.symbol));
     return plot;
 }
 
@@ -152,10 +153,10 @@ Plot flight_law_plot(const Snapshot& snapshot, const LengthUnit& unit) {
         }
         plot.series.push_back(std::move(law));
     }
-    plot.x.label = fmt::format("launch height h ({})", unit.symbol);
+    plot.x.label = labelled("launch height h", unit.symbol);
     plot.x.low = lowest;
     plot.x.high = highest;
-    plot.y = axis_from_zero(plot.series, fmt::format("flight length ({})", unit.symbol));
+    plot.y = axis_from_zero(plot.series, labelled("flight length", unit.symbol));
     return plot;
 }
 

@@ -11,6 +11,7 @@
 #include "base/elementary_angle.h"
 #include "figure/canvas/picture_inks.h"
 #include "figure/panels/arrow_field.h"
+#include "figure/words/words.h"
 #include "render/air/streamlines.h"
 
 namespace fumon {
@@ -32,7 +33,7 @@ double value_at(const SectionAir& air, SectionQuantity quantity, double x, doubl
                              air.value(*air.find("velocity_z"), x, z));
 }
 
-const char* label_of(SectionQuantity quantity) {
+std::string label_of(SectionQuantity quantity) {
     switch (quantity) {
         case SectionQuantity::velocity_x:
             return "u (m/s)";
@@ -43,7 +44,7 @@ const char* label_of(SectionQuantity quantity) {
         case SectionQuantity::speed:
             break;
     }
-    return "speed (m/s)";
+    return labelled("speed", "m/s");
 }
 
 /// The least and the greatest value in the air.

@@ -18,6 +18,7 @@
 #include "figure/panels/section_lines.h"
 #include "figure/panels/section_map.h"
 #include "figure/plot/plot.h"
+#include "figure/words/words.h"
 
 namespace fumon {
 
@@ -49,10 +50,10 @@ Plot paths_plot(const Snapshot& snapshot, const LengthUnit& unit) {
         }
         plot.series.push_back(std::move(series));
     }
-    plot.x.label = fmt::format("x ({})", unit.symbol);
+    plot.x.label = labelled("x", unit.symbol);
     plot.x.low = 0.0;
     plot.x.high = east;
-    plot.y.label = fmt::format("z ({})", unit.symbol);
+    plot.y.label = labelled("z", unit.symbol);
     plot.y.low = 0.0;
     plot.y.high = highest > 0.0 ? 1.1 * highest : 1.0;
     return plot;
@@ -61,7 +62,7 @@ Plot paths_plot(const Snapshot& snapshot, const LengthUnit& unit) {
 struct PanelName {
     SectionPanel panel;
     std::string_view name;
-    const char* title;
+    Word title;
 };
 
 constexpr std::array<PanelName, 6> panel_names{
@@ -150,7 +151,7 @@ class SectionMapPanel : public PanelContent {
         draw_placed_bar(canvas, frame, axes.margins(canvas), colour_bar_, scale_);
         if (exaggeration_ == 1.0) return;
         const double font = canvas.font_size();
-        write_within(canvas, fmt::format("heights × {:g}", exaggeration_),
+        write_within(canvas, phrase("heights × {}", fmt::format("{:g}", exaggeration_)),
                      frame.width - taken - 0.5 * font,
                      {frame.x, frame.y - 0.5 * room_of_heading * font}, {0.0, 0.5}, tick_text);
     }
@@ -158,8 +159,8 @@ class SectionMapPanel : public PanelContent {
   private:
     [[nodiscard]] Axes axes_in(const CanvasBox& frame) const {
         return {frame,
-                {0.0, air_.length() / unit_.length, fmt::format("x ({})", unit_.symbol)},
-                {0.0, air_.height() / unit_.length, fmt::format("z ({})", unit_.symbol)}};
+                {0.0, air_.length() / unit_.length, labelled("x", unit_.symbol)},
+                {0.0, air_.height() / unit_.length, labelled("z", unit_.symbol)}};
     }
     [[nodiscard]] bool has_arrows() const { return velocity_ && arrows_ == SectionArrows::arrows; }
     [[nodiscard]] bool has_heading() const { return has_arrows() || exaggeration_ != 1.0; }
@@ -258,7 +259,7 @@ std::vector<SectionPanel> section_panels(const SectionSettings& settings,
 }
 
 std::string section_title(SectionPanel panel) {
-    return find_by(panel_names, &PanelName::panel, panel)->title;
+    return word(find_by(panel_names, &PanelName::panel, panel)->title);
 }
 
 double section_exaggeration(const Snapshot& snapshot) {

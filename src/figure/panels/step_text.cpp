@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/find_named.h"
+#include "figure/words/words.h"
 
 namespace fumon {
 
@@ -15,11 +16,12 @@ namespace {
 std::string time_with_unit(double time, const std::string& unit) {
     constexpr double minute = 60.0;
     constexpr double hour = 3600.0;
-    if (unit == "s" && time >= 2.0 * hour) return fmt::format("t = {:.4g} h", time / hour);
+    if (unit == "s" && time >= 2.0 * hour)
+        return phrase("t = {}", fmt::format("{:.4g} {}", time / hour, unit_word("h")));
     const double minutes = time / minute;
     if (unit == "s" && minutes >= 10.0 && minutes == std::floor(minutes))
-        return fmt::format("t = {:g} min", minutes);
-    return "t = " + length_of_time(time, unit);
+        return phrase("t = {}", fmt::format("{:g} {}", minutes, unit_word("min")));
+    return phrase("t = {}", length_of_time(time, unit));
 }
 
 struct TimeUnit {
@@ -44,7 +46,7 @@ std::optional<std::string> time_in(double time, const std::string& unit,
     const TimeUnit* from = find_by(time_units, &TimeUnit::name, unit);
     const TimeUnit* to = find_by(time_units, &TimeUnit::name, wanted);
     if (from == nullptr || to == nullptr) return std::nullopt;
-    return fmt::format("{:.6g} {}", time * (from->seconds / to->seconds), wanted);
+    return fmt::format("{:.6g} {}", time * (from->seconds / to->seconds), unit_word(wanted));
 }
 
 std::string natural_time(double time, const std::string& unit) {
@@ -65,20 +67,19 @@ std::string length_of_time(double time, const std::string& unit) {
     constexpr double microsecond = 1e-6;
     constexpr double millisecond = 1e-3;
     if (unit == "s" && time > 0.0 && time < millisecond)
-        return fmt::format("{:.4g} µs", time / microsecond);
+        return fmt::format("{:.4g} {}", time / microsecond, unit_word("µs"));
     if (unit == "s" && time > 0.0 && time < 1.0)
-        return fmt::format("{:.4g} ms", time / millisecond);
-    return fmt::format("{:.6g} {}", time, unit);
+        return fmt::format("{:.4g} {}", time / millisecond, unit_word("ms"));
+    return fmt::format("{:.6g} {}", time, unit_word(unit));
 }
 
 std::string step_text(const Snapshot& snapshot) {
-    if (snapshot.time_unit == "steps") return fmt::format("step {}", snapshot.step);
-    return fmt::format("step {}, {}", snapshot.step,
-                       time_with_unit(snapshot.time, snapshot.time_unit));
+    if (snapshot.time_unit == "steps") return phrase("step {}", snapshot.step);
+    return phrase("step {}, {}", snapshot.step, time_with_unit(snapshot.time, snapshot.time_unit));
 }
 
 std::string time_text(const Snapshot& snapshot) {
-    if (snapshot.time_unit == "steps") return fmt::format("step {}", snapshot.step);
+    if (snapshot.time_unit == "steps") return phrase("step {}", snapshot.step);
     return time_with_unit(snapshot.time, snapshot.time_unit);
 }
 

@@ -13,6 +13,7 @@
 #include "figure/panels/axis_units.h"
 #include "figure/panels/map_picture.h"
 #include "figure/panels/row_means.h"
+#include "figure/words/words.h"
 
 namespace fumon {
 
@@ -69,7 +70,7 @@ TimeSpacePicture time_space_picture(const LookSettings& look, std::span<const Sn
     picture.length = bed_extent(maps.front().values, maps.front().scale).width;
     picture.in_metres = maps.front().scale.in_metres;
     const std::string& unit = snapshots.front().time_unit;
-    picture.time_label = unit == "steps" ? "step" : fmt::format("t ({})", unit);
+    picture.time_label = unit == "steps" ? word("step") : labelled("t", unit);
     for (std::size_t n = 0; n < maps.size(); ++n) {
         picture.times.push_back(snapshots[n].time);
         const std::vector<double> means =
@@ -86,7 +87,7 @@ Axes TimeSpacePanel::axes_in(const CanvasBox& frame) const {
     const LengthUnit unit = length_unit(picture_.in_metres, picture_.length);
     return {frame,
             {0.0, picture_.length / unit.length,
-             label_or(picture_.x_label, fmt::format("x ({})", unit.symbol))},
+             label_or(picture_.x_label, labelled("x", unit.symbol))},
             {picture_.times.front(), picture_.times.back(),
              label_or(picture_.y_label, picture_.time_label)}};
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "figure/panels/block_coordinates.h"
+#include "figure/words/words.h"
 
 namespace fumon {
 
@@ -203,7 +204,7 @@ ViewPanel::Placement ViewPanel::place(const Canvas& canvas, const CanvasBox& fra
                                 {upper_left, lower_left, lower_right, upper_right});
     }
     if (settings_.exaggeration && picture_.exaggeration != 1.0) {
-        placement.heights = text(fmt::format("heights × {:g}", picture_.exaggeration),
+        placement.heights = text(phrase("heights × {}", fmt::format("{:g}", picture_.exaggeration)),
                                  {lower_left, lower_right, upper_left, upper_right});
     }
     for (const CanvasBox& box : taken) {
@@ -270,7 +271,7 @@ void ViewPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     if (settings_.arrow) draw_ground_arrow(canvas, *settings_.arrow, axes, placement.arrow);
     if (settings_.compass) draw_compass(canvas, axes, placement.compass);
     if (settings_.exaggeration && picture_.exaggeration != 1.0)
-        text(fmt::format("heights × {:g}", picture_.exaggeration), placement.heights);
+        text(phrase("heights × {}", fmt::format("{:g}", picture_.exaggeration)), placement.heights);
     draw_placed_bar(canvas, frame, placement.margins, settings_.colour_bar, settings_.colours);
 }
 

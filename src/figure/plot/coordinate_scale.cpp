@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "figure/words/words.h"
 #include "files/crs_kind.h"
 
 namespace fumon {
@@ -44,11 +45,11 @@ double CoordinateScale::coordinate_at(double place) const {
 CoordinateScale::Range CoordinateScale::range(double length) const {
     const bool east = axis_ == Axis::east;
     Range range{begin_, coordinate_at(length), east ? "x" : "y", "sites"};
-    if (lies_somewhere_) range.name = east ? "easting" : "northing";
+    if (lies_somewhere_) range.name = east ? word("easting") : word("northing");
     constexpr double kilometre = 1000.0;
     constexpr double least_in_kilometres = 1e5;  // whose metres are long numbers
     if (unit_ == Unit::degrees) {
-        range.name = east ? "longitude" : "latitude";
+        range.name = east ? word("longitude") : word("latitude");
         range.unit = "°";
         constexpr double circle = 360.0;
         if (east && range.low > 0.5 * circle) {  // of 0 to 360
@@ -87,9 +88,9 @@ std::string CoordinateScale::label(double coordinate, const RoundStep& step,
                                    bool in_kilometres) const {
     constexpr int thousand = 3;
     const int decimals = std::max(0, (in_kilometres ? thousand : 0) - step.exponent);
-    const char* const towards = axis_ == Axis::east ? "E" : "N";
+    const std::string towards = axis_ == Axis::east ? word("E") : word("N");
     if (unit_ == Unit::degrees) {
-        const char* const from = axis_ == Axis::east ? "W" : "S";
+        const std::string from = axis_ == Axis::east ? word("W") : word("S");
         constexpr double circle = 360.0;
         double angle = coordinate;
         if (axis_ == Axis::east && angle > 0.5 * circle) angle -= circle;  // of 0 to 360

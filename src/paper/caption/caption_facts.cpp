@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/find_named.h"
+#include "figure/words/words.h"
 #include "keys/key_value.h"
 #include "keys/keys.h"
 #include "scene/scene_keys.h"
@@ -37,7 +38,8 @@ std::string key_text(const Key& key) {
     const std::string name =
         known == nullptr ? key.path : fmt::format("{} ({})", known->symbol, key.path);
     const std::string& unit = key.notes.unit;
-    return fmt::format("{} = {}{}", name, value_text(key), unit.empty() ? "" : " " + unit);
+    return fmt::format("{} = {}{}", name, value_text(key),
+                       unit.empty() ? "" : " " + unit_word(unit));
 }
 
 /// A model's default scene with lists as long as those of another table, whose items have their
@@ -64,8 +66,8 @@ CaptionFacts::Facts CaptionFacts::facts_of(const CaptionRun& run) {
     const KeyTable keys = scene_keys(written);
     const KeyTable defaults = defaults_beside(usual, keys);
     Facts facts;
-    facts.push_back({"model.name", "model " + written.model.name, false, true});
-    facts.push_back({"run.steps", fmt::format("{} steps", written.run.steps), false, true});
+    facts.push_back({"model.name", phrase("model {}", written.model.name), false, true});
+    facts.push_back({"run.steps", phrase("{} steps", written.run.steps), false, true});
     for (const Key& key : keys.keys()) {
         if (key.role != KeyRole::parameter || key.path == "run.steps" || key.path == "model.name")
             continue;
@@ -77,7 +79,7 @@ CaptionFacts::Facts CaptionFacts::facts_of(const CaptionRun& run) {
         facts.push_back({key.path, key_text(key), is_usual, false});
     }
     if (!written.bed.file.empty())
-        facts.push_back({"bed.file", "initial bed " + written.bed.file, false, false});
+        facts.push_back({"bed.file", phrase("initial bed {}", written.bed.file), false, false});
     return facts;
 }
 

@@ -344,6 +344,13 @@ void list_figure_keys(FigureSettings& figure, KeyTable& table) {
          {SvgText::text, "text",
           "text in DejaVu Sans, to select, search and edit; above all else"}},
         {.help = "letters of the figure's SVG"});
+    table.text(
+        "figure.language", figure.language,
+        {.help = "of the words and units that fumon writes into the figure and its caption: en, "
+                 "or a table of assets/words (ja); empty: as image.language"});
+    table.text(
+        "figure.words", figure.words,
+        {.help = "a file of the form of assets/words/ja.toml with words in the place of those"});
     table.text("figure.caption", figure.caption,
                {.help = "the caption's first sentences; parameters, seeds and version follow"});
     table.tables("figure.panel", figure.panels, "a panel of the figure, for `fumon figure`",

@@ -161,7 +161,9 @@ struct FigureSettings {
     double dots_per_inch = 300.0;  ///< of pictures, and of the PNG
     std::vector<std::string> formats{"pdf", "svg", "png"};
     SvgText svg_text = SvgText::outlines;
-    std::string caption;  ///< comes before the parameters
+    std::string language;  ///< of what fumon writes; empty: that of pictures
+    std::string words;     ///< a file with words in their place; empty: none
+    std::string caption;   ///< comes before the parameters
     std::vector<PanelSettings> panels;
 };
 
