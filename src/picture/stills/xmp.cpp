@@ -44,25 +44,6 @@ constexpr std::array<Entity, 8> entities{{{'&', "&amp;"},
                                           {'\n', "&#10;"},
                                           {'\t', "&#9;"}}};
 
-std::string to_xml(std::string_view text) {
-    std::string xml;
-    while (!text.empty()) {
-        const auto* entity = std::ranges::find(entities, text.front(), &Entity::character);
-        const std::size_t length = std::max<std::size_t>(utf8_length(text), 1);
-        const bool control = static_cast<unsigned char>(text.front()) < 32;
-        const bool none = text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");
-        if (entity != entities.end()) {
-            xml += entity->name;
-        } else if (control || none || utf8_length(text) == 0) {
-            xml += '?';
-        } else {
-            xml += text.substr(0, length);
-        }
-        text.remove_prefix(length);
-    }
-    return xml;
-}
-
 /// A character in UTF-8; nothing for a number that is none.
 std::string utf8_of(unsigned code) {
     const auto byte = [](unsigned bits) { return static_cast<char>(bits); };
@@ -116,7 +97,7 @@ std::string from_xml(std::string_view xml) {
 }
 
 std::string element_of(const std::string& keyword, std::string_view text) {
-    const std::string value = to_xml(text);
+    const std::string value = xml_escaped(text);
     if (keyword == "Title") {
         return fmt::format(
             "<{0}><rdf:Alt><rdf:li xml:lang=\"x-default\">{1}</rdf:li></rdf:Alt></{0}>\n",
@@ -188,6 +169,25 @@ void each_value(std::string_view xmp, const Found& found) {
 }
 
 }  // namespace
+
+std::string xml_escaped(std::string_view text) {
+    std::string xml;
+    while (!text.empty()) {
+        const auto* entity = std::ranges::find(entities, text.front(), &Entity::character);
+        const std::size_t length = std::max<std::size_t>(utf8_length(text), 1);
+        const bool control = static_cast<unsigned char>(text.front()) < 32;
+        const bool none = text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");
+        if (entity != entities.end()) {
+            xml += entity->name;
+        } else if (control || none || utf8_length(text) == 0) {
+            xml += '?';
+        } else {
+            xml += text.substr(0, length);
+        }
+        text.remove_prefix(length);
+    }
+    return xml;
+}
 
 std::string xmp_packet(const PictureText& texts) {
     std::string elements;

@@ -134,6 +134,7 @@ struct PanelSettings {
 };
 
 enum class SvgText { outlines, text };
+enum class PdfStandard { none, a_2b };
 
 /// A paper's figure: panels on a page.
 struct FigureSettings {
@@ -146,7 +147,10 @@ struct FigureSettings {
     double dots_per_inch = 300.0;  ///< of pictures, and of the PNG
     std::vector<std::string> formats{"pdf", "svg", "png"};
     SvgText svg_text = SvgText::outlines;
-    std::string caption;  ///< comes before the parameters
+    PdfStandard pdf_standard = PdfStandard::none;
+    std::string icc_profile;  ///< file; empty: sRGB
+    std::string journal;      ///< empty: none
+    std::string caption;      ///< comes before the parameters
     std::vector<PanelSettings> panels;
 };
 
