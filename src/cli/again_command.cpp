@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -45,9 +47,9 @@ struct AgainOptions {
 
 void declare(CLI::App& command, AgainOptions& options) {
     command
-        .add_option(
-            "PICTURE", options.picture,
-            "a PNG, JPEG, WebP, OpenEXR, MP4, PDF or SVG that fumon made, or a film of any format")
+        .add_option("PICTURE", options.picture,
+                    "a PNG, JPEG, WebP, TIFF, OpenEXR, MP4, PDF, EPS or SVG that fumon made, or a "
+                    "film of any format")
         ->required();
     command
         .add_option("-o,--output", options.output,
@@ -108,7 +110,9 @@ void claim_output(const AgainOptions& options, const fs::path& output,
 /// The texts of a figure's file; none where it is another picture.
 FigureMetadata figure_texts(const fs::path& picture) {
     const std::string end = small_ending(picture);
-    if (end != ".pdf" && end != ".svg" && end != ".png") return {};
+    constexpr std::array<std::string_view, 6> endings{".pdf", ".svg",  ".png",
+                                                      ".tif", ".tiff", ".eps"};
+    if (std::ranges::find(endings, end) == endings.end()) return {};
     return read_figure_metadata(read_input_file(picture), picture.string());
 }
 

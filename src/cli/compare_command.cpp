@@ -36,7 +36,7 @@ struct CompareOptions {
 };
 
 void declare(CLI::App& command, CompareOptions& options) {
-    command.add_option("A", options.first, "a PNG, JPEG or WebP file")->required();
+    command.add_option("A", options.first, "a PNG, JPEG, WebP or TIFF file")->required();
     command.add_option("B", options.second, "another")->required();
     command.add_option("--diff", options.difference, "draw where they differ")
         ->type_name("FILE.png");

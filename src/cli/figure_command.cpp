@@ -15,6 +15,7 @@
 #include "paper/figure_files.h"
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
+#include "press/journal_check.h"
 #include "run/inputs/scene_argument.h"
 #include "run/run_folder.h"
 #include "run/terminal/interrupt.h"
@@ -28,6 +29,7 @@ struct FigureOptions {
     std::string folder;
     std::string runs;  ///< the folder of finished runs; empty: "runs" in the figures' folder
     bool force = false;
+    bool check = false;  ///< whether to say what a journal would send back
     WorkOptions work;
 };
 
@@ -35,23 +37,28 @@ void declare(CLI::App& command, FigureOptions& options) {
     command.add_option("SCENE", options.scenes, "scene files with [[figure.panel]] sections")
         ->required();
     command.add_option("-o,--output", options.folder, "the folder for the figures")
-        ->type_name("DIR")
-        ->required();
+        ->type_name("DIR");
     command
         .add_option("--runs", options.runs,
                     "where finished runs are kept and looked for (default: DIR/runs)")
         ->type_name("FOLDER");
+    command.add_flag("--check", options.check,
+                     "say what figure.journal, or nearly any journal, would send back; without -o "
+                     "nothing is made");
     add_force(command, options.force);
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
     add_examples(
         command,
         {{"fumon figure sudo-2002-06 -o out/figures", "a figure that fumon ships"},
-         {"fumon figure scenes/figures/*.toml -o out/figures", "many, which share their runs"}},
+         {"fumon figure scenes/figures/*.toml -o out/figures", "many, which share their runs"},
+         {"fumon figure my.toml --check --set figure.journal=nature",
+          "what the journal would send back"}},
         "DIR/NAME.pdf, .svg and .png are the figure, DIR/NAME.caption.txt says how it was made, "
         "DIR/NAME-a-1.csv is\nthe data of panel (a), curve 1. Runs that are there already are not "
         "made again.\n"
-        "Exit status: 0 done, 2 wrong input, 3 some runs or figures failed, 130/143 interrupted "
+        "Exit status: 0 done, 1 --check found something, 2 wrong input, 3 some runs or figures "
+        "failed, 130/143 interrupted "
         "(finished runs are kept).");
 }
 
@@ -67,13 +74,13 @@ struct PlannedFigure {
 };
 
 /// False when interrupted.
-bool plan_all(const FigureOptions& options, const RunStore& store,
+bool plan_all(const FigureOptions& options, const RunStore* store,
               std::vector<PlannedFigure>& figures, FigureRuns& runs) {
     std::map<std::string, std::string> files;  // of names
     for (const std::string& given : options.scenes) {
         const std::string file = scene_argument(given);
         PlannedFigure figure;
-        auto plan = plan_figure(file, options.work.settings, figure.sources, runs, &store);
+        auto plan = plan_figure(file, options.work.settings, figure.sources, runs, store);
         if (!plan) return false;
         figure.plan = std::move(*plan);
         const auto [other, is_new] = files.emplace(figure.plan.name, file);
@@ -86,8 +93,17 @@ bool plan_all(const FigureOptions& options, const RunStore& store,
     return true;
 }
 
-void make_figure(const PlannedFigure& figure, const FigureRuns& runs, const RunStore& store,
-                 const FigureOptions& options, const OutputClaims& claims, StatusLine& status) {
+/// Says what a journal would send back of a figure; 1 where that is something. `page`: as it was
+/// made; nullptr where it was not.
+int tell_findings(const FigurePlan& plan, const Page* page) {
+    const std::vector<std::string> findings = journal_findings(plan, page);
+    for (const std::string& finding : findings) fmt::print("{}\n", finding);
+    fmt::print("{}: {}\n", plan.file, journal_verdict(plan, findings.size()));
+    return findings.empty() ? 0 : 1;
+}
+
+int make_figure(const PlannedFigure& figure, const FigureRuns& runs, const RunStore& store,
+                const FigureOptions& options, const OutputClaims& claims, StatusLine& status) {
     const FigurePlan& plan = figure.plan;
     const FigurePage page =
         figure_page(plan, runs, store, {options.work.backend, options.work.threads});
@@ -102,6 +118,7 @@ void make_figure(const PlannedFigure& figure, const FigureRuns& runs, const RunS
     for (const std::string& note : notes) status.note(fmt::format("{}: {}", plan.file, note));
     status.note(fmt::format("{}.{}", (fs::path(options.folder) / plan.name).string(),
                             fmt::join(plan.scene.figure.formats, ", .")));
+    return options.check ? tell_findings(plan, &page.page) : 0;
 }
 
 /// Claims the files of all figures; none may replace what any of them is made from.
@@ -121,8 +138,24 @@ OutputClaims claim_figures(const FigureOptions& options,
     return claims;
 }
 
+/// Of the scenes alone.
+int check_scenes(const FigureOptions& options) {
+    std::vector<PlannedFigure> figures;
+    FigureRuns runs;
+    StatusLine status(options.work.verbosity);
+    if (!plan_all(options, nullptr, figures, runs)) return tell_interrupted(status, {});
+    int exit_status = 0;
+    for (const PlannedFigure& figure : figures)
+        exit_status = std::max(exit_status, tell_findings(figure.plan, nullptr));
+    return exit_status;
+}
+
 int perform(const FigureOptions& options) {
     const InterruptGuard guard;
+    if (options.folder.empty()) {
+        if (options.check) return check_scenes(options);
+        throw InputError("--output is required: name the folder for the figures");
+    }
     StatusLine status(options.work.verbosity);
     std::vector<PlannedFigure> figures;
     FigureRuns runs;
@@ -131,7 +164,7 @@ int perform(const FigureOptions& options) {
     check_output_folder(options.folder, "the figures");
     check_output_folder(kept, "the runs");
     const RunStore store(kept);
-    if (!plan_all(options, store, figures, runs)) return tell_interrupted(status, {});
+    if (!plan_all(options, &store, figures, runs)) return tell_interrupted(status, {});
     const OutputClaims claims = claim_figures(options, figures);
     const std::vector<RunRecord> records = make_runs(runs, store, options.work, status);
     if (interrupting_signal() != 0) return tell_interrupted(status, records);
@@ -143,7 +176,8 @@ int perform(const FigureOptions& options) {
             if (const std::string missing = missing_run(figure.plan, runs, records);
                 !missing.empty())
                 throw Error(missing);
-            make_figure(figure, runs, store, options, claims, status);
+            exit_status =
+                std::max(exit_status, make_figure(figure, runs, store, options, claims, status));
         } catch (const Error& failure) {
             status.error(failure.what());
             exit_status = std::max(exit_status, failure.exit_status());

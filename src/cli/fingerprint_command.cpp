@@ -23,7 +23,7 @@ struct FingerprintOptions {
 };
 
 void declare(CLI::App& command, FingerprintOptions& options) {
-    command.add_option("IMAGE", options.images, "PNG, JPEG or WebP files")->required();
+    command.add_option("IMAGE", options.images, "PNG, JPEG, WebP or TIFF files")->required();
     command.add_flag("--json", options.as_json, "as JSON");
     add_examples(
         command,

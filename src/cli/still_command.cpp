@@ -46,10 +46,10 @@ void declare(CLI::App& command, StillOptions& options) {
             "a scene (.toml), or terrain: " + terrain_titles() + "; - is either on standard input")
         ->required();
     command
-        .add_option(
-            "-o,--output", options.output,
-            "the picture: .png, .jpg or .webp, or linear light and layers as OpenEXR (.exr); - is "
-            "standard output (PNG)")
+        .add_option("-o,--output", options.output,
+                    "the picture: .png, .jpg, .webp or .tif, or linear light and layers as OpenEXR "
+                    "(.exr); - is "
+                    "standard output (PNG)")
         ->type_name("FILE")
         ->required();
     auto* quality = add_number(command, "--quality", options.quality, 1, 100,
@@ -124,7 +124,7 @@ StillOptions with_coding(StillOptions options) {
     if (!options.quality && !options.lossless) return options;
     const PictureFormat format = picture_format(options.output);
     const bool fits =
-        options.lossless ? format == PictureFormat::webp : format != PictureFormat::png;
+        format == PictureFormat::webp || (!options.lossless && format == PictureFormat::jpeg);
     if (!fits) {
         throw InputError(options.lossless
                              ? "--lossless belongs to WebP; name the picture FILE.webp"

@@ -56,9 +56,9 @@ void check_ending(const std::filesystem::path& file, std::string_view what,
 
 inline constexpr std::array<std::string_view, 1> png_ending{".png"};
 inline constexpr std::array<std::string_view, 1> exr_ending{".exr"};
-inline constexpr std::array<std::string_view, 5> picture_endings{".png", ".jpg", ".jpeg", ".webp",
-                                                                 ".exr"};
-/// Of these, those that hold pixels of 8 bits.
+inline constexpr std::array<std::string_view, 7> picture_endings{".png", ".jpg",  ".jpeg", ".webp",
+                                                                 ".tif", ".tiff", ".exr"};
+/// Of these, those that hold pixels of 8 bits and that browsers show.
 inline constexpr std::array<std::string_view, 4> pixel_endings{".png", ".jpg", ".jpeg", ".webp"};
 inline constexpr std::array<std::string_view, 1> movie_ending{".mp4"};
 inline constexpr std::array<std::string_view, 1> scene_ending{".toml"};

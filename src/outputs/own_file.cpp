@@ -60,7 +60,8 @@ bool is_own_text(const std::filesystem::path& file, std::string_view head) {
 }
 
 bool is_figure_file(std::string_view head) {
-    return head.starts_with("%PDF-") || head.find("<svg") != std::string_view::npos;
+    return head.starts_with("%PDF-") || head.starts_with("%!PS-Adobe") ||
+           head.find("<svg") != std::string_view::npos;
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ bool is_called_as_data(std::string_view name, const FigurePlan& plan) {
 void claim_figure(const FigurePlan& plan, const fs::path& folder, const OutputClaims& claims) {
     const auto file = [&](const std::string& end) { return folder / (plan.name + end); };
     bool made_before = false;
-    for (const char* end : {".pdf", ".svg", ".png"})
+    for (const char* end : {".pdf", ".svg", ".png", ".tif", ".eps"})
         made_before = made_before || says_that_fumon_made_it(file(end));
     for (const std::string& format : plan.scene.figure.formats)
         claims.check(file("." + format), false);
@@ -85,10 +85,13 @@ void write_files(const std::vector<WholeFile>& files) {
 }
 
 PageFormat page_format(const fs::path& file) {
-    static constexpr std::array<std::string_view, 3> endings{".pdf", ".svg", ".png"};
+    static constexpr std::array<std::string_view, 6> endings{".pdf", ".svg",  ".png",
+                                                             ".tif", ".tiff", ".eps"};
     check_ending(file, "a figure", endings);
     const std::string end = small_ending(file);
     if (end == ".svg") return PageFormat::svg;
+    if (end == ".eps") return PageFormat::eps;
+    if (end.starts_with(".tif")) return PageFormat::tiff;
     return end == ".png" ? PageFormat::png : PageFormat::pdf;
 }
 

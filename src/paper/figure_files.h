@@ -12,7 +12,7 @@
 namespace fumon {
 
 /// Checks that a figure's files may be written into a folder: its data are fumon's where its PDF,
-/// SVG or PNG file is. Throws as OutputClaims::check().
+/// SVG, PNG, TIFF or EPS file is. Throws as OutputClaims::check().
 void claim_figure(const FigurePlan& plan, const std::filesystem::path& folder,
                   const OutputClaims& claims);
 
@@ -26,7 +26,8 @@ struct WholeFile {
 /// Throws Error.
 void write_files(const std::vector<WholeFile>& files);
 
-/// The format that a file's name asks for; throws InputError for none of pdf, svg and png.
+/// The format that a file's name asks for; throws InputError for none of pdf, svg, png, tif
+/// and eps.
 PageFormat page_format(const std::filesystem::path& file);
 
 /// Draws the page. Throws InputError, located, where it is too small for its panels, and what else

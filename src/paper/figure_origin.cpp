@@ -49,6 +49,7 @@ FigureMetadata figure_metadata(const FigurePlan& plan, const FigureSources& sour
     metadata.emplace_back(version_keyword, FUMON_VERSION);
     Scene scene = plan.scene;
     for (const InputKey& key : input_keys(scene)) *key.file = paths.name_of(*key.file);
+    scene.figure.icc_profile = paths.name_of(scene.figure.icc_profile);
     metadata.emplace_back("fumon:scene", paths.in_text(resolved_scene(scene, {})));
     metadata.emplace_back(figure_keyword,
                           origin.dump(-1, ' ', true, Json::error_handler_t::replace));

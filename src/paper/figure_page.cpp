@@ -11,6 +11,7 @@
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
 #include "paper/panel_title.h"
+#include "scene/figure/journals.h"
 
 namespace fumon {
 
@@ -54,6 +55,8 @@ Page empty_page(const FigurePlan& plan) {
                        : columns_for(pictures_of(plan), page.width < narrow * millimetre);
     page.font_size = figure.font_size;
     page.svg_text = figure.svg_text == SvgText::text;
+    page.pdf_for_archives = figure.pdf_standard == PdfStandard::a_2b;
+    page.cmyk_profile = plan.cmyk_profile;
     page.line_width = 0.5 * figure.line_width;  // curves are twice as wide
     page.letters = figure.letters;
     return page;
@@ -94,10 +97,14 @@ class Assembly {
     }
 
   private:
-    /// The least that journals print.
+    /// The least that journals print, or the figure's own.
     void warn_of_small_print() {
-        constexpr double least_letters = 6.0;  // points
-        constexpr double least_line = 0.25;
+        const Journal& any = journals().front();
+        const Journal* const own = find_journal(plan_.scene.figure.journal);
+        const Journal& asking = own == nullptr ? any : *own;
+        const double least_letters = asking.least_letters.value_or(*any.least_letters);
+        const double least_line = asking.least_lines.value_or(*any.least_lines);
+        static_assert(tick_share == tick_text);
         const double letters = tick_text * made_.page.font_size;
         if (letters < least_letters) {
             made_.warnings.push_back(fmt::format(

@@ -10,12 +10,15 @@
 #include "base/find_named.h"
 #include "base/nearest_name.h"
 #include "figure/words/chosen_words.h"
+#include "files/hash.h"
+#include "files/input_file.h"
 #include "keys/keys.h"
 #include "paper/curve_rows.h"
 #include "paper/figure_tables.h"
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
 #include "paper/panel_title.h"
+#include "picture/stills/cmyk.h"
 #include "run/prepared_run.h"
 #include "scene/input_maps.h"
 #include "scene/overlay_keys.h"
@@ -53,6 +56,7 @@ class Planner {
 
     /// False when interrupted.
     bool read() {
+        read_profile();
         const std::vector<PanelSettings>& panels = plan_.scene.figure.panels;
         for (std::size_t p = 0; p < panels.size(); ++p) {
             PanelPlan panel{panels[p], fmt::format("figure.panel.{}", p), {}, {}, {}};
@@ -103,6 +107,20 @@ class Planner {
         for (Override& change : read_settings(set, without_colon(plan_.scene.at(key))))
             all.push_back(std::move(change));
         return all;
+    }
+
+    /// The printer's inks of the figure's TIFF.
+    void read_profile() {
+        const std::string key = "figure.icc_profile";
+        if (plan_.scene.figure.icc_profile.empty()) return;
+        const std::string file = sources_.profile(plan_.scene);
+        plan_.cmyk_profile = at(key, [&] { return read_input_file(file); });
+        try {
+            check_cmyk_profile(plan_.cmyk_profile);
+        } catch (const InputError& fault) {
+            refuse(key, fmt::format("{} {}", file, fault.what()));
+        }
+        plan_.inputs.push_back(sources_.as_first_named({file, hex(text_hash(plan_.cmyk_profile))}));
     }
 
     void note(const InitialBed& initial) {

@@ -49,7 +49,8 @@ struct FigurePlan {
     std::shared_ptr<const WordTable> words{};  ///< in which it is written; null: English
     std::vector<std::string> settings;         ///< of --set
     std::vector<PanelPlan> panels;
-    std::vector<InputFile> inputs;   ///< terrain files
+    std::vector<InputFile> inputs;   ///< terrain files, and figure.icc_profile
+    std::string cmyk_profile;        ///< the bytes of figure.icc_profile
     std::vector<std::string> notes;  ///< what the user should hear before the start
 };
 

@@ -14,6 +14,7 @@
 #include "picture/movie.h"
 #include "picture/stills/jpeg.h"
 #include "picture/stills/picture_file.h"
+#include "picture/stills/tiff.h"
 #include "picture/stills/webp.h"
 #include "scene/input_maps.h"
 #include "scene/json.h"
@@ -71,6 +72,7 @@ std::int64_t parse_step(const std::string& text, const std::string& picture) {
 }
 
 std::string usual_ending(std::string_view head) {
+    if (is_tiff(head)) return ".tif";
     return is_jpeg(head) ? ".jpg" : is_webp(head) ? ".webp" : ".png";
 }
 

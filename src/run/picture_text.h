@@ -29,7 +29,7 @@ struct PictureOrigin {
     std::optional<RenderingEnvironment> environment;  ///< none in pictures of older versions
     bool is_movie = false;
     bool is_exr = false;
-    std::string ending;   ///< of such a file: ".png", ".jpg", ".webp", ".exr", ".mp4"
+    std::string ending;   ///< of such a file: ".png", ".jpg", ".webp", ".tif", ".exr", ".mp4"
     std::string encoder;  ///< of a movie: what encoded its frames
 };
 

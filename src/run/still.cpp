@@ -157,6 +157,7 @@ void check_pixels(const ImageSettings& image, PictureFormat format) {
                                    "write a PNG, or set image.deep_colour = false",
                                    name));
     }
+    if (format == PictureFormat::tiff) return;
     const bool jpeg = format == PictureFormat::jpeg;
     if (jpeg && image.lossless) {
         throw KeyError("image.lossless",

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "scene/figure/chart_check.h"
+#include "scene/figure/journals.h"
 #include "scene/palette_names.h"
 #include "scene/placeholders.h"
 
@@ -26,6 +27,7 @@ class FigureCheck {
 
     void check() const {
         check_formats();
+        check_journal();
         const std::vector<PanelSettings>& panels = scene_.figure.panels;
         for (std::size_t p = 0; p < panels.size(); ++p) {
             const std::string path = fmt::format("figure.panel.{}", p);
@@ -68,8 +70,9 @@ class FigureCheck {
 
     void check_formats() const {
         const std::vector<std::string>& formats = scene_.figure.formats;
-        const std::vector<std::string> known{"pdf", "svg", "png"};
-        if (formats.empty()) refuse("figure.formats", "there is none; take pdf, svg, png");
+        const std::vector<std::string> known{"pdf", "svg", "png", "tif", "eps"};
+        if (formats.empty())
+            refuse("figure.formats", "there is none; take pdf, svg, png, tif, eps");
         std::set<std::string> seen;
         for (const std::string& format : formats) {
             if (std::find(known.begin(), known.end(), format) == known.end()) {
@@ -79,6 +82,13 @@ class FigureCheck {
             if (!seen.insert(format).second)
                 refuse("figure.formats", fmt::format("\"{}\" is there twice", format));
         }
+    }
+
+    void check_journal() const {
+        const std::string& name = scene_.figure.journal;
+        if (name.empty() || find_journal(name) != nullptr) return;
+        refuse("figure.journal",
+               fmt::format("unknown journal \"{}\"; {}", name, suggestion(name, journal_names())));
     }
 
     void check_place(const PanelSettings& panel, const std::string& path) const {

@@ -21,6 +21,7 @@
 #include "models/registry.h"
 #include "scene/check.h"
 #include "scene/faults.h"
+#include "scene/figure/journals.h"
 #include "scene/placed_sun.h"
 #include "scene/scene_keys.h"
 #include "scene/trust.h"
@@ -82,6 +83,9 @@ class Reader {
                 attempt(setting.given.path, [&] { apply(setting); });
             }
             scene_.view.look.preset.clear();  // its values now stand in the keys themselves
+            std::set<std::string> given;
+            for (const auto& [path, place] : scene_.locations) given.insert(path);
+            use_journal(scene_.figure, given);
             check_scene(scene_, faulty_, faults_);
             if (faults_.none()) check_limits(scene_, faults_);
             if (faults_.none()) place_sun(scene_.view.sun);

@@ -65,7 +65,7 @@ TEST_F(Pictures, OtherSizesDifferAndBadFilesAreWrongInput) {
     EXPECT_EQ(run({"compare", "a.png", "none.png"}).status, 2);
     write_text(folder_ / "text.png", "no picture");
     EXPECT_EQ(run({"compare", "text.png", "a.png"}).errors,
-              "text.png: is not a PNG, JPEG or WebP file; name one that is\n");
+              "text.png: is not a PNG, JPEG, WebP or TIFF file; name one that is\n");
     EXPECT_EQ(run({"compare", "a.png", "b.png", "--level", "same-ish"}).errors,
               "fumon compare: --level: it takes identical, same or close, not \"same-ish\"; try "
               "`fumon compare --help`\n");

@@ -266,7 +266,7 @@ TEST_F(ReplacedFiles, AnUnknownEndingIsRefusedBeforeAnythingIsRead) {
         expect_refused(words, what + "\n");
     };
     refused({"still", "no.toml", "-o", "a.gif"},
-            "a.gif: the name of a picture ends in .png, .jpg, .jpeg, .webp, .exr");
+            "a.gif: the name of a picture ends in .png, .jpg, .jpeg, .webp, .tif, .tiff, .exr");
     refused({"compare", "no.png", "no.png", "--diff", "d.jpg"},
             "d.jpg: the name of a picture ends in .png");
     refused({"verify", "no.toml", "--junit", "j.html"},

@@ -18,12 +18,15 @@
 #include "base/image.h"
 #include "figure/canvas/cairo_handles.h"
 #include "figure/canvas/canvas_parts.h"
+#include "figure/canvas/eps_metadata.h"
 #include "figure/canvas/figure_metadata.h"
 #include "figure/canvas/marked_text.h"
+#include "figure/canvas/pdf_archive.h"
 #include "figure/canvas/pdf_metadata.h"
 #include "figure/canvas/svg_ids.h"
 #include "figure/canvas/svg_text.h"
 #include "picture/png.h"
+#include "picture/stills/tiff.h"
 
 namespace fumon {
 
@@ -59,6 +62,26 @@ Surface cairo_image(const Image& image, std::span<const std::uint8_t> opacity, i
     }
     cairo_surface_mark_dirty(surface.get());
     return surface;
+}
+
+/// Pixels that are there or are not.
+struct OpaquePixels {
+    Image image;
+    std::vector<std::uint8_t> opacity;  ///< 0 or 255
+};
+
+/// What is seen through is as if on white.
+OpaquePixels laid_on_white(const Image& image, std::span<const std::uint8_t> opacity) {
+    OpaquePixels flat{image, {opacity.begin(), opacity.end()}};
+    for (std::size_t i = 0; i < opacity.size(); ++i) {
+        if (opacity[i] == 0) continue;
+        for (std::size_t c = 0; c < 3; ++c) {
+            std::uint8_t& level = flat.image.rgb[3 * i + c];
+            level = static_cast<std::uint8_t>(255U - ((255U - level) * opacity[i] + 127U) / 255U);
+        }
+        flat.opacity[i] = 255;
+    }
+    return flat;
 }
 
 /// The pixels of an opaque image of Cairo's.
@@ -135,7 +158,10 @@ void Canvas::stroke_circle(const CanvasPoint& middle, double radius, double widt
 void Canvas::draw(const Image& image, const CanvasBox& box, std::span<const std::uint8_t> opacity) {
     if (image.width < 1 || image.height < 1 || !(box.width > 0.0) || !(box.height > 0.0)) return;
     const int copies = parts_->copies_of(image, box);
-    const Surface pixels = cairo_image(image, opacity, copies);
+    const bool without_opacity = parts_->format == PageFormat::eps && !opacity.empty();
+    const OpaquePixels flat = without_opacity ? laid_on_white(image, opacity) : OpaquePixels();
+    const Surface pixels = without_opacity ? cairo_image(flat.image, flat.opacity, copies)
+                                           : cairo_image(image, opacity, copies);
     const Pattern pattern(cairo_pattern_create_for_surface(pixels.get()));
     const bool large = parts_->has_room_for(image, box);
     cairo_pattern_set_filter(pattern.get(), large ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_GOOD);
@@ -259,6 +285,14 @@ void Canvas::keep_letters_as_text() {
     parts_->letters_as_text = parts_->format == PageFormat::svg;
 }
 
+void Canvas::keep_for_archives() {
+    parts_->for_archives = parts_->format == PageFormat::pdf;
+}
+
+void Canvas::print_by(std::string cmyk_profile) {
+    parts_->cmyk_profile = std::move(cmyk_profile);
+}
+
 void Canvas::set_metadata(FigureMetadata metadata) {
     parts_->metadata = std::move(metadata);
 }
@@ -267,6 +301,11 @@ std::string Canvas::bytes() {
     if (!parts_->format) throw Error("an image of pixels is no page that becomes a file");
     if (*parts_->format == PageFormat::png) {
         const auto file = encode_png(image(), parts_->dots_per_inch, parts_->metadata);
+        return {file.begin(), file.end()};
+    }
+    if (*parts_->format == PageFormat::tiff) {
+        const auto file =
+            encode_tiff(image(), parts_->dots_per_inch, parts_->metadata, parts_->cmyk_profile);
         return {file.begin(), file.end()};
     }
     cairo_surface_t* surface = parts_->surface.get();
@@ -287,6 +326,9 @@ std::string Canvas::bytes() {
             throw Error(fmt::format("cannot draw a page of {} x {} points: {}", parts_->width,
                                     parts_->height, cairo_status_to_string(status)));
     }
+    if (*parts_->format == PageFormat::eps)
+        return with_eps_metadata(parts_->file, parts_->metadata);
+    if (parts_->for_archives) return pdf_archive(parts_->file, pdf_metadata(parts_->metadata));
     if (*parts_->format == PageFormat::pdf) return parts_->file;
     return with_svg_metadata(with_svg_texts(with_counted_ids(parts_->file), parts_->svg_texts),
                              parts_->metadata);

@@ -42,13 +42,14 @@ struct CanvasLayer {
 };
 
 /// What file a page becomes.
-enum class PageFormat { pdf, svg, png };
+enum class PageFormat { pdf, svg, png, tiff, eps };
 
 /// Keyword → UTF-8 text that travels within a figure's file.
 using FigureMetadata = std::vector<std::pair<std::string, std::string>>;
 
 /// A white sheet to draw a figure on, with Cairo and Pango: an image of pixels, or a page in points
-/// (1/72 inch), which becomes a PDF, SVG or PNG file. One unit, here "units", is a pixel of an
+/// (1/72 inch), which becomes a PDF, SVG, PNG, TIFF or
+/// EPS file. One unit, here "units", is a pixel of an
 /// image and a point of a page. The same calls give the same pixels and bytes with the same
 /// versions of these libraries and the same fonts: the shapes of letters come from the system's
 /// DejaVu Sans (or what stands in for it), those that it lacks from other fonts. Texts have the
@@ -113,12 +114,16 @@ class Canvas {
     /// The pixels of an image with their opacity. Throws Error for pages.
     [[nodiscard]] CanvasLayer layer() const;
 
-    /// What bytes() writes into the file beside the drawing. "Title" and "Software" are also what
     /// Lets an SVG file hold texts that are written from now on as text, in DejaVu Sans or what a
     /// reader has for it, above all else; in place of outlines, which look the same everywhere.
     void keep_letters_as_text();
+    /// What bytes() writes into the file beside the drawing. "Title" and "Software" are also what
     /// other programs show as title and creator.
     void set_metadata(FigureMetadata metadata);
+    /// Makes a PDF file one of PDF/A-2b (see pdf_archive.h).
+    void keep_for_archives();
+    /// Gives a TIFF file the inks of a printer's ICC profile (its bytes) in place of sRGB.
+    void print_by(std::string cmyk_profile);
     /// The page's finished file; nothing can be drawn after it. Holds no date, and the same calls
     /// give the same bytes. Throws Error for an image, where Cairo fails, and where the metadata
     /// cannot stand in such a file.

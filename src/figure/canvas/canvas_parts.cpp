@@ -1,6 +1,7 @@
 #include "figure/canvas/canvas_parts.h"
 
 #include <cairo-pdf.h>
+#include <cairo-ps.h>
 #include <cairo-svg.h>
 #include <fmt/format.h>
 
@@ -60,7 +61,7 @@ Canvas::Parts::Parts(std::optional<PageFormat> format_, double width_, double he
     pango_context_set_round_glyph_positions(context, FALSE);  // which spaces letters unevenly
     pango_layout_set_alignment(layout.get(), PANGO_ALIGN_CENTER);
     pango_context_set_language(context, pango_language_from_string("ja"));
-    if (format == PageFormat::png)
+    if (format && has_pixels())
         cairo_scale(drawing.get(), dots_per_inch / points_per_inch,
                     dots_per_inch / points_per_inch);
 }
@@ -71,6 +72,12 @@ cairo_surface_t* Canvas::Parts::new_surface() {
         // Later versions may compress the metadata.
         cairo_pdf_surface_restrict_to_version(pdf, CAIRO_PDF_VERSION_1_4);
         return pdf;
+    }
+    if (format == PageFormat::eps) {
+        auto* eps = cairo_ps_surface_create_for_stream(append, &file, width, height);
+        cairo_ps_surface_restrict_to_level(eps, CAIRO_PS_LEVEL_3);
+        cairo_ps_surface_set_eps(eps, 1);
+        return eps;
     }
     if (format == PageFormat::svg) {
         auto* svg = cairo_svg_surface_create_for_stream(append, &file, width, height);

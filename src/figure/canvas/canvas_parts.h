@@ -36,7 +36,15 @@ struct Canvas::Parts {
                 static_cast<double>(text_height) / PANGO_SCALE};
     }
 
+    /// PostScript has no opacity, and Cairo would lay pixels over what is seen through: there an
+    /// ink is as if on white.
     void use(const Ink& ink) const {
+        if (format == PageFormat::eps) {
+            const auto on_white = [&](double level) { return 1.0 + ink.opacity * (level - 1.0); };
+            cairo_set_source_rgb(drawing.get(), on_white(ink.red), on_white(ink.green),
+                                 on_white(ink.blue));
+            return;
+        }
         cairo_set_source_rgba(drawing.get(), ink.red, ink.green, ink.blue, ink.opacity);
     }
 
@@ -55,7 +63,7 @@ struct Canvas::Parts {
     }
 
     [[nodiscard]] bool has_pixels() const {
-        return format != PageFormat::pdf && format != PageFormat::svg;
+        return format != PageFormat::pdf && format != PageFormat::svg && format != PageFormat::eps;
     }
 
     /// How often a file holds each pixel of an image across and down.
@@ -86,6 +94,8 @@ struct Canvas::Parts {
     bool system_fonts = false;     ///< Pango has set a text
     bool letters_as_text = false;  ///< of an SVG file
     std::string svg_texts;         ///< elements that come last in it
+    bool for_archives = false;     ///< of a PDF file
+    std::string cmyk_profile;      ///< of a TIFF file; empty: sRGB
     FigureMetadata metadata;
 };
 

@@ -7,8 +7,10 @@
 #include <optional>
 
 #include "base/error.h"
+#include "figure/canvas/eps_metadata.h"
 #include "figure/canvas/pdf_metadata.h"
 #include "files/png_reader.h"
+#include "picture/stills/tiff.h"
 
 namespace fumon {
 
@@ -111,9 +113,12 @@ std::string with_svg_metadata(const std::string& svg, const FigureMetadata& meta
 FigureMetadata read_figure_metadata(std::string_view bytes, const std::string& name) {
     if (is_png(bytes)) return PngReader(bytes, name).texts();
     if (bytes.starts_with("%PDF-")) return read_pdf_metadata(bytes, name);
+    if (is_tiff(bytes)) return tiff_texts(bytes, name);
+    if (bytes.starts_with("%!PS-Adobe")) return eps_metadata(bytes, name);
     constexpr std::size_t head = 1000;  // bytes in which an SVG file names itself
     if (bytes.substr(0, head).find("<svg") != std::string_view::npos) return svg_texts(bytes, name);
-    throw InputError(fmt::format("{}: is neither a PDF, an SVG nor a PNG file", name));
+    throw InputError(
+        fmt::format("{}: is neither a PDF, an SVG, a PNG, a TIFF nor an EPS file", name));
 }
 
 }  // namespace fumon

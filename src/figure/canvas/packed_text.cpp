@@ -50,15 +50,19 @@ std::optional<std::string> from_base64(std::string_view letters) {
 
 }  // namespace
 
-std::string packed_text(std::string_view text) {
+std::string deflated(std::string_view content) {
     constexpr int level = 9;
     const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
         libdeflate_alloc_compressor(level), &libdeflate_free_compressor);
     if (!compressor) throw std::bad_alloc();
-    std::string bytes(libdeflate_zlib_compress_bound(compressor.get(), text.size()), '\0');
-    bytes.resize(libdeflate_zlib_compress(compressor.get(), text.data(), text.size(), bytes.data(),
-                                          bytes.size()));
-    return std::string(mark) + to_base64(bytes);
+    std::string bytes(libdeflate_zlib_compress_bound(compressor.get(), content.size()), '\0');
+    bytes.resize(libdeflate_zlib_compress(compressor.get(), content.data(), content.size(),
+                                          bytes.data(), bytes.size()));
+    return bytes;
+}
+
+std::string packed_text(std::string_view text) {
+    return std::string(mark) + to_base64(deflated(text));
 }
 
 std::optional<std::string> unpacked_text(std::string_view letters) {

@@ -80,25 +80,28 @@ PdfMetadata pdf_metadata(const FigureMetadata& metadata) {
     }
 }
 
+FigureMetadata figure_keywords(const std::string& keywords, const std::string& name) {
+    const std::string text = unpacked_text(keywords).value_or(keywords);
+    if (!text.starts_with(own_begin)) return {};
+    try {
+        return parse_json(text).get<FigureMetadata>();
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(fmt::format("{}: its metadata are damaged", name));
+    }
+}
+
 FigureMetadata read_pdf_metadata(std::string_view pdf, const std::string& name) {
     std::string keywords = keywords_among(pdf, pdf);
     if (keywords.empty()) {
         const PdfStreams streams = pdf_streams(pdf);
         keywords = keywords_among(streams.objects, pdf);
         if (keywords.empty()) keywords = xmp_value(streams.xmp, "pdf:Keywords");
-        if (const auto text = unpacked_text(keywords)) keywords = *text;
     }
-    if (!keywords.starts_with(own_begin)) {
-        if (is_encrypted(pdf))
-            throw InputError(
-                fmt::format("{}: is encrypted; take a copy that is not (qpdf --decrypt)", name));
-        return {};
-    }
-    try {
-        return parse_json(keywords).get<FigureMetadata>();
-    } catch (const nlohmann::json::exception&) {
-        throw InputError(fmt::format("{}: its metadata are damaged", name));
-    }
+    FigureMetadata metadata = figure_keywords(keywords, name);
+    if (metadata.empty() && is_encrypted(pdf))
+        throw InputError(
+            fmt::format("{}: is encrypted; take a copy that is not (qpdf --decrypt)", name));
+    return metadata;
 }
 
 }  // namespace fumon

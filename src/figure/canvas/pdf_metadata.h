@@ -25,4 +25,8 @@ PdfMetadata pdf_metadata(const FigureMetadata& metadata);
 /// Throws InputError where they are damaged or the file is encrypted; `name` is the file's.
 FigureMetadata read_pdf_metadata(std::string_view pdf, const std::string& name);
 
+/// The metadata that keywords of pdf_metadata() stand for; none of other keywords. Throws
+/// InputError where they are damaged.
+FigureMetadata figure_keywords(const std::string& keywords, const std::string& name);
+
 }  // namespace fumon

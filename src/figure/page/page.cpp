@@ -124,6 +124,8 @@ DrawnPage draw_page(const Page& page, PageFormat format, double dots_per_inch,
     Canvas canvas(format, layout.width, layout.height, dots_per_inch, page.font_size);
     canvas.set_metadata(metadata);
     if (page.svg_text) canvas.keep_letters_as_text();
+    if (page.pdf_for_archives) canvas.keep_for_archives();
+    if (!page.cmyk_profile.empty()) canvas.print_by(page.cmyk_profile);
     draw_page(page, layout, canvas);
     std::string bytes = canvas.bytes();
     return {std::move(bytes), std::move(layout), canvas.texts(), canvas.missing_letters()};

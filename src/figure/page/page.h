@@ -35,14 +35,16 @@ struct Page {
     double width = 241.0;
     double height = 0.0;  ///< 0: as much as the panels take
     int columns = 1;
-    double margin = 4.0;        ///< around everything
-    double column_gap = 10.0;   ///< between what two panels take with their margins
-    double row_gap = 8.0;       ///< likewise
-    double font_size = 8.0;     ///< of labels; ticks and legends are 0.85 of it
-    bool svg_text = false;      ///< whether an SVG file holds its letters as text, not as outlines
-    double line_width = 0.5;    ///< of frames and ticks; curves are twice as wide
-    double panel_aspect = 1.5;  ///< width over height of frames that are free to have any
-    bool letters = true;        ///< "(a)", "(b)" … above the panels, where they are several
+    double margin = 4.0;       ///< around everything
+    double column_gap = 10.0;  ///< between what two panels take with their margins
+    double row_gap = 8.0;      ///< likewise
+    double font_size = 8.0;    ///< of labels; ticks and legends are 0.85 of it
+    bool svg_text = false;     ///< whether an SVG file holds its letters as text, not as outlines
+    bool pdf_for_archives = false;  ///< whether a PDF file is one of PDF/A-2b
+    std::string cmyk_profile;       ///< bytes of the ICC profile of a TIFF file's inks; empty: sRGB
+    double line_width = 0.5;        ///< of frames and ticks; curves are twice as wide
+    double panel_aspect = 1.5;      ///< width over height of frames that are free to have any
+    bool letters = true;            ///< "(a)", "(b)" … above the panels, where they are several
     std::string title;
     std::vector<PagePanel> panels;
 };

@@ -71,6 +71,16 @@ void FigureSources::find_inputs(Scene& scene) const {
             *key.file);
 }
 
+std::string FigureSources::profile(const Scene& scene) const {
+    const fs::path named(scene.figure.icc_profile);
+    std::string file =
+        (scene.set_on_command_line("figure.icc_profile") ? named : scene.directory / named)
+            .lexically_normal()
+            .string();
+    if (again_) find(file, file);
+    return file;
+}
+
 /// Of what a figure made again reads.
 void FigureSources::find(const fs::path& named, std::string& file) const {
     const std::string name = name_of(named);

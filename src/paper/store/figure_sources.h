@@ -43,6 +43,8 @@ class FigureSources {
     /// Makes the files that a scene's run reads those that lie there now, where a figure is made
     /// again.
     void find_inputs(Scene& scene) const;
+    /// Where figure.icc_profile of a figure's scene lies now. Throws InputError likewise.
+    [[nodiscard]] std::string profile(const Scene& scene) const;
     /// The name that such a file had when the figure was first made.
     [[nodiscard]] InputFile as_first_named(const InputFile& input) const;
 

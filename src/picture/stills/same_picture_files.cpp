@@ -88,6 +88,7 @@ bool is_whole(std::string_view head, std::string_view tail, std::uint64_t length
               const PngChunks& chunks) {
     if (head.starts_with("\x89PNG")) return chunks.whole();
     if (head.starts_with("\xFF\xD8")) return tail == "\xFF\xD9";
+    if (!head.starts_with("RIFF")) return false;
     std::uint64_t riff = 0;  // bytes after the eighth, least significant first
     for (std::size_t i = 8; i-- > 4;) riff = riff << 8U | static_cast<std::uint8_t>(head[i]);
     return length == 8 + riff + riff % 2;

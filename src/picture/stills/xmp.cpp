@@ -38,21 +38,6 @@ struct Entity {
 constexpr std::array<Entity, 5> entities{
     {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&apos;"}}};
 
-/// As markup_text(), but a line's ends and tabs stay, escaped, since readers of XML may change
-/// them.
-std::string to_xml(std::string_view text) {
-    std::string xml;
-    while (!text.empty()) {
-        const std::size_t plain = std::min(text.find_first_of("\r\n\t"), text.size());
-        xml += markup_text(text.substr(0, plain));
-        text.remove_prefix(plain);
-        if (text.empty()) break;
-        xml += fmt::format("&#{};", static_cast<int>(text.front()));
-        text.remove_prefix(1);
-    }
-    return xml;
-}
-
 /// The MD5 of a text (RFC 1321) in capital hexadecimal digits.
 std::string md5_of(std::string_view text) {
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
@@ -118,7 +103,7 @@ std::string from_xml(std::string_view xml) {
 }
 
 std::string element_of(const std::string& keyword, std::string_view text) {
-    const std::string value = to_xml(text);
+    const std::string value = xml_escaped(text);
     if (keyword == "Title") {
         return fmt::format(
             "<{0}><rdf:Alt><rdf:li xml:lang=\"x-default\">{1}</rdf:li></rdf:Alt></{0}>\n",
@@ -190,6 +175,19 @@ void each_value(std::string_view xmp, const Found& found) {
 }
 
 }  // namespace
+
+std::string xml_escaped(std::string_view text) {
+    std::string xml;
+    while (!text.empty()) {
+        const std::size_t plain = std::min(text.find_first_of("\r\n\t"), text.size());
+        xml += markup_text(text.substr(0, plain));
+        text.remove_prefix(plain);
+        if (text.empty()) break;
+        xml += fmt::format("&#{};", static_cast<int>(text.front()));
+        text.remove_prefix(1);
+    }
+    return xml;
+}
 
 std::string xmp_packet(const PictureText& texts) {
     std::string elements;

@@ -28,6 +28,10 @@ XmpParts xmp_parts(const PictureText& texts, std::size_t most_bytes);
 /// attributes for elements. Never throws: of what is not XMP there are none.
 PictureText texts_of_xmp(std::string_view xmp);
 
+/// A text as it stands in XML, with line ends escaped; a character that XML cannot hold becomes
+/// "?".
+std::string xml_escaped(std::string_view text);
+
 /// The value of an element that holds text alone, or of an attribute, by its name with prefix
 /// ("pdf:Keywords"); the last where there are several, empty where there is none. Never throws.
 std::string xmp_value(std::string_view xmp, std::string_view name);

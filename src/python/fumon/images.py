@@ -69,7 +69,7 @@ class Image(_Pixels):
 
     @classmethod
     def open(cls, file: PathLike) -> Image:
-        """The pixels of a PNG, JPEG or WebP file, with alpha where it has some."""
+        """The pixels of a PNG, JPEG, WebP or TIFF file, with alpha where it has some."""
         return _core.read_picture(os.fspath(file)).view(cls)
 
     def save(self, file: PathLike, quality: int = 92, lossless: bool = False) -> None:
@@ -103,8 +103,8 @@ def _image_of(kind: type[Image], pixels: Array, environment: str) -> Image:
 def picture_name(file: PathLike) -> str:
     """The name of a file for a picture. ValueError where it ends otherwise."""
     name = os.fspath(file)
-    if not name.lower().endswith((".png", ".jpg", ".jpeg", ".webp")):
-        raise ValueError(f"{name}: pictures are PNG, JPEG or WebP files; write {name}.png")
+    if not name.lower().endswith((".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff")):
+        raise ValueError(f"{name}: pictures are PNG, JPEG, WebP or TIFF files; write {name}.png")
     return name
 
 

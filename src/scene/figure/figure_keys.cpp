@@ -337,7 +337,7 @@ void list_figure_keys(FigureSettings& figure, KeyTable& table) {
     table.boolean("figure.letters", figure.letters, {.help = "(a), (b) … before the titles"});
     table.real("figure.dots_per_inch", figure.dots_per_inch,
                {.range = {50, 1200}, .help = "of pictures in the page, and of its PNG"});
-    table.text_list("figure.formats", figure.formats, {.help = "pdf, svg, png"});
+    table.text_list("figure.formats", figure.formats, {.help = "pdf, svg, png, tif, eps"});
     table.choice<SvgText>(
         "figure.svg_text", figure.svg_text,
         {{SvgText::outlines, "outlines", "shapes, which look the same everywhere"},
@@ -351,6 +351,18 @@ void list_figure_keys(FigureSettings& figure, KeyTable& table) {
     table.text(
         "figure.words", figure.words,
         {.help = "a file of the form of assets/words/ja.toml with words in the place of those"});
+    table.choice<PdfStandard>(
+        "figure.pdf_standard", figure.pdf_standard,
+        {{PdfStandard::none, "none", "PDF 1.4"},
+         {PdfStandard::a_2b, "a-2b", "PDF/A-2b, for archives: sRGB and XMP inside"}},
+        {.help = "of the figure's PDF"});
+    table.text("figure.icc_profile", figure.icc_profile,
+               {.help = "ICC profile of a printer's inks: the TIFF has these (CMYK); empty: sRGB"});
+    table.text(
+        "figure.journal", figure.journal,
+        {.help = "whose rules hold (`fumon figure --check`): agu, copernicus, elsevier, nature; "
+                 "it sets width, font_size, line_width and dots_per_inch where the scene "
+                 "does not"});
     table.text("figure.caption", figure.caption,
                {.help = "the caption's first sentences; parameters, seeds and version follow"});
     table.tables("figure.panel", figure.panels, "a panel of the figure, for `fumon figure`",

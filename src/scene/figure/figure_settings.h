@@ -149,6 +149,7 @@ struct PanelSettings {
 };
 
 enum class SvgText { outlines, text };
+enum class PdfStandard { none, a_2b };
 
 /// A paper's figure: panels on a page.
 struct FigureSettings {
@@ -163,7 +164,10 @@ struct FigureSettings {
     SvgText svg_text = SvgText::outlines;
     std::string language;  ///< of what fumon writes; empty: that of pictures
     std::string words;     ///< a file with words in their place; empty: none
-    std::string caption;   ///< comes before the parameters
+    PdfStandard pdf_standard = PdfStandard::none;
+    std::string icc_profile;  ///< file; empty: sRGB
+    std::string journal;      ///< empty: none
+    std::string caption;      ///< comes before the parameters
     std::vector<PanelSettings> panels;
 };
 

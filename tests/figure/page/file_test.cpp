@@ -21,7 +21,8 @@ using test::message_of;
 using test::panel_of;
 using test::series_of;
 
-constexpr std::array<PageFormat, 3> formats{PageFormat::pdf, PageFormat::svg, PageFormat::png};
+constexpr std::array<PageFormat, 5> formats{PageFormat::pdf, PageFormat::svg, PageFormat::png,
+                                            PageFormat::tiff, PageFormat::eps};
 
 /// What a program that reads figures says; a failure where it is missing or refuses.
 std::string said_by(const std::string& command) {
@@ -114,7 +115,7 @@ TEST(FigureFile, RefusesMetadataThatItCannotCarryOrRead) {
     page.set_metadata({{"fumon:scene", "a\xff"}});
     EXPECT_NE(message_of<Error>([&] { page.bytes(); }).find("not UTF-8"), std::string::npos);
     EXPECT_EQ(message_of<InputError>([] { read_figure_metadata("GIF89a", "a.gif"); }),
-              "a.gif: is neither a PDF, an SVG nor a PNG file");
+              "a.gif: is neither a PDF, an SVG, a PNG, a TIFF nor an EPS file");
     std::string damaged = draw_page(sample_page(), PageFormat::svg, 72.0, sample_metadata()).bytes;
     damaged.resize(damaged.find("</text>"));
     EXPECT_EQ(message_of<InputError>([&] { read_figure_metadata(damaged, "a.svg"); }),
