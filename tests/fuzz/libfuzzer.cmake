@@ -10,8 +10,9 @@ endforeach()
 
 # Readers in rooms of which so little is needed that the whole of them would take minutes to compile.
 set(parts run/run_checkpoint run/recorder run/written_outputs run/run_folder run/run_files run/frame_list run/picture_text
-          outputs/output_claims outputs/own_file figure/canvas/figure_metadata paper/figure_origin paper/figure_sources
-          paper/figure_curve
+          outputs/output_claims outputs/own_file figure/canvas/figure_metadata figure/canvas/eps_metadata
+          figure/canvas/pdf_metadata figure/canvas/pdf_strings figure/canvas/packed_text figure/words/words paper/figure_origin
+          paper/store/figure_sources paper/figure_curve paper/curve_rows
           film/film_read film/film_texts film/timeline film/script/film_keys film/script/film_check film/script/film_sizes
           sweep/sweep_axis sweep/sweep_manifest sweep/sweep_table)
 foreach(part IN LISTS parts)
@@ -22,5 +23,5 @@ endforeach()
 add_library(fumon_parts STATIC ${part_sources})
 set_target_properties(fumon_parts PROPERTIES UNITY_BUILD_MODE GROUP)
 target_link_libraries(fumon_parts PUBLIC fumon_scene fumon_measure fumon_picture fumon_picture_stills fumon_build_identity
-                      PRIVATE nlohmann_json::nlohmann_json glm::glm PkgConfig::tomlplusplus)
+                      PRIVATE nlohmann_json::nlohmann_json glm::glm PkgConfig::libdeflate PkgConfig::tomlplusplus)
 
