@@ -392,10 +392,8 @@ void TerrainLayer::set_sides(const gl::Program& program, const Light& light,
     program.set("base", static_cast<float>(block_.base));
     program.set("rock", static_cast<float>(block_.rock));
     program.set("figure", view_.look.mode == ViewMode::figure ? 1.0F : 0.0F);
-    program.set("clear", view_.look.relief == FigureRelief::clear ? 1.0F : 0.0F);
-    // The outline of a clear figure's sides, as wide as half a point.
-    const double wide = std::max(1.0, 0.5 / 72.0 * view_.image.dots_per_inch);
-    program.set("side_line", static_cast<float>(wide / pixels_per_length(camera, view_)));
+    const double line = std::max(1.0, view_.image.dots_per_inch / 144.0);  // half a point
+    program.set("side_line", static_cast<float>(line / pixels_per_length(camera, view_)));
     program.set("upright", static_cast<float>(std::max(camera.up.z, 0.1)));
 }
 
