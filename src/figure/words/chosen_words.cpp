@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "figure/words/word_check.h"
 #include "files/input_file.h"
 
 namespace fumon {
@@ -30,7 +31,14 @@ void add_entry(const std::string& item, WordTable& table) {
                               : section == "names" ? &table.names
                                                    : nullptr;
     if (words == nullptr) throw fail();
-    words->insert_or_assign(item.substr(colon + 2, equal - colon - 2), item.substr(equal + 3));
+    const std::string english = item.substr(colon + 2, equal - colon - 2);
+    const std::string own = item.substr(equal + 3);
+    try {
+        if (words == &table.words) check_word(english, own, "image.words: ");
+    } catch (const InputError& fault) {
+        throw KeyError("image.words", fault.what());
+    }
+    words->insert_or_assign(english, own);
 }
 
 WordTable of_language(const std::string& language, const char* key) {
@@ -54,8 +62,10 @@ std::shared_ptr<const WordTable> picture_words(const ImageSettings& image) {
 std::shared_ptr<const WordTable> figure_words(const Scene& scene, const std::string& own) {
     const std::string& language = scene.figure.language;
     if (language.empty() && own.empty()) return picture_words(scene.view.image);
-    const WordTable table =
-        language.empty() ? WordTable() : of_language(language, "figure.language");
+    const auto of_pictures = picture_words(scene.view.image);
+    const WordTable table = !language.empty() ? of_language(language, "figure.language")
+                            : of_pictures     ? *of_pictures
+                                              : WordTable();
     return std::make_shared<const WordTable>(
         with_words(table, parse_word_table(own, scene.figure.words)));
 }

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/quantity_text.h"
+#include "figure/words/word_check.h"
 
 namespace fumon {
 
@@ -49,6 +50,13 @@ bool same_places(std::string_view own, std::string_view english) {
     return a == b && braces(own);
 }
 
+const std::string* found(const WordTable::Words& words, std::string_view english) {
+    const auto entry = words.find(english);
+    return entry == words.end() || entry->second.empty() ? nullptr : &entry->second;
+}
+
+}  // namespace
+
 void check_word(const std::string& english, std::string_view own, const std::string& place) {
     if (std::ranges::find(english_words, english) == english_words.end()) {
         const std::vector<std::string> known(english_words.begin(), english_words.end());
@@ -61,13 +69,6 @@ void check_word(const std::string& english, std::string_view own, const std::str
                                      english, fmt::join(places_in(english), " ")));
     }
 }
-
-const std::string* found(const WordTable::Words& words, std::string_view english) {
-    const auto entry = words.find(english);
-    return entry == words.end() || entry->second.empty() ? nullptr : &entry->second;
-}
-
-}  // namespace
 
 WordTable parse_word_table(std::string_view text, const std::string& source) {
     toml::table parsed;

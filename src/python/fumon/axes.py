@@ -48,7 +48,8 @@ class FigureAxes:
         height = self._ground(across, along) if z is None else np.asarray(z, dtype=float)
         shown = self._shown
         points = np.stack(np.broadcast_arrays(
-            (across - 0.5) * shown["width"][0], (along - 0.5) * shown["width"][1],
+            across * shown["extent"][0] / shown["side"] - 0.5 * shown["width"][0],
+            along * shown["extent"][1] / shown["side"] - 0.5 * shown["width"][1],
             (height / shown["height_unit"] - shown["reference"]) * shown["height_scale"]), axis=-1)
         right_up_forward = (points - np.array(shown["eye"])) @ np.array(shown["axes"]).T
         half = np.array(shown["half"])

@@ -85,6 +85,10 @@ TEST(Words, OfPicturesAreEntriesThatTheSceneHolds) {
     EXPECT_EQ(table->units.at("yr"), "ヶ年");
     EXPECT_EQ(table->names.at("dune height"), "比高");
     EXPECT_EQ(table->words.at("flow"), "流れ");
+    image.words = {"words: heights × {} = {:999999999}"};
+    EXPECT_THROW(picture_words(image), KeyError);
+    image.words = {"words: wint = 風"};
+    EXPECT_THROW(picture_words(image), KeyError);
     image.words = {"wind = 風"};
     EXPECT_THROW(picture_words(image), KeyError);
     image.words.clear();
