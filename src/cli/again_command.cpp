@@ -167,7 +167,9 @@ int figure_again(const AgainOptions& options, const FigureOrigin& origin) {
     } else {
         status.note(fmt::format(
             "{}: made, but its bytes differ from {} (made by fumon {}, this is {}; other fonts and "
-            "text libraries, and for 3-D views another OpenGL driver, also change them)",
+            "text libraries, for 3-D views another OpenGL driver, and programs that write files "
+            "anew, "
+            "also change them)",
             output.string(), options.picture, origin.version, FUMON_VERSION));
     }
     return 0;

@@ -139,7 +139,8 @@ std::optional<std::string> inflated(std::string_view bytes, std::size_t& most) {
         decompressor(libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
     if (!decompressor) return std::nullopt;
     constexpr std::size_t least_room = 1 << 14;
-    for (std::size_t room = least_room; room <= most; room *= 4) {
+    std::size_t room = least_room;
+    while (room <= most) {
         most -= room;
         std::string content(room, '\0');
         std::size_t taken = 0;
@@ -151,6 +152,7 @@ std::optional<std::string> inflated(std::string_view bytes, std::size_t& most) {
             return content;
         }
         if (result != LIBDEFLATE_INSUFFICIENT_SPACE) break;
+        room = std::max(room + 1, std::min(4 * room, most));
     }
     return std::nullopt;
 }
