@@ -44,8 +44,8 @@ void take_whole_range(LookSettings& look, const PanelSettings& panel, const Snap
 /// Light, block and colours of a view whose relief is to read in print.
 void make_clear(View& view, const PanelSubject& subject) {
     const PanelSettings& panel = subject.panel.settings;
-    if (panel.colours == PanelColours::plain) view.look.colour_by = Colouring::natural;
-    if (panel.colours == PanelColours::height) view.look.colour_by = Colouring::height;
+    if (panel.colours == PanelColouring::plain) view.look.colour_by = Colouring::natural;
+    if (panel.colours == PanelColouring::height) view.look.colour_by = Colouring::height;
     // That of sand seen as sand gives way: to colours that are light throughout, since shade
     // darkens them.
     if (view.look.palette == "sand" && view.look.colour_by != Colouring::natural)

@@ -4,6 +4,7 @@
 
 #include "base/elementary_power.h"
 #include "base/error.h"
+#include "base/quantity_text.h"
 #include "figure/words/words.h"
 #include "numerics/expression.h"
 #include "paper/curve_rows.h"

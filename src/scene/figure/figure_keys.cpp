@@ -153,10 +153,10 @@ void list_view_panel_keys(PanelSettings& panel, const std::string& path, KeyTabl
           "\"figure\""}},
         {.help = "how a view shows heights", .earlier = {"0.3.0", "\"scene\""}});
     table.choice(path + ".colours", panel.colours,
-                 {{PanelColours::automatic, "auto",
+                 {{PanelColouring::automatic, "auto",
                    "as look.colour_by says; where that is \"natural\", plain"},
-                  {PanelColours::plain, "plain", "one pale colour, shaded"},
-                  {PanelColours::height, "height", "by height, with a colour bar"}},
+                  {PanelColouring::plain, "plain", "one pale colour, shaded"},
+                  {PanelColouring::height, "height", "by height, with a colour bar"}},
                  {.help = "of a view of the bed with relief = \"clear\""});
 }
 

@@ -82,7 +82,7 @@ struct RangeBoxSettings {
 enum class PanelArrow { none, wind, flow, north, wind_and_north, flow_and_north };
 enum class PanelRange { shared, own };
 enum class PanelRelief { clear, scene };
-enum class PanelColours { automatic, plain, height };
+enum class PanelColouring { automatic, plain, height };
 enum class PanelLegend {
     automatic,
     none,
@@ -121,7 +121,7 @@ struct PanelSettings {
     bool shading_from_all_sides = false;
     WordOrReal contours{"none", 0.0};                ///< metres between lines of equal height
     PanelRelief relief = PanelRelief::clear;         ///< of a view
-    PanelColours colours = PanelColours::automatic;  ///< likewise
+    PanelColouring colours = PanelColouring::automatic;  ///< likewise
     bool axes = true;
     bool coordinates = false;  ///< of the terrain's file, along a map or a view's block
     bool colour_bar = true;
