@@ -299,7 +299,14 @@ MadePanel heat_map_of(const CurvePlan& curve, const PanelSettings& settings,
     add_lines(map, settings, values, made.remarks, z_column.unit);
     add_count_remarks(made.remarks, cells, chart);
     made.data.push_back({"-1.csv", csv_of(asked, table, x, y, cells)});
+    const auto range_of = [](const HeatAxis& axis) {
+        return fmt::format("{}: {} at {}", axis.label, fmt::join(axis.names, ", "),
+                           fmt::join(axis.middles, ", "));
+    };
+    const std::string x_range = range_of(map.x);
+    const std::string y_range = range_of(map.y);
     auto content = std::make_unique<HeatMapPanel>(std::move(map));
+    if (chart.share_axes) made.axes = {&content->x_axis(), &content->y_axis(), x_range, y_range};
     if (chart.share_colours && chart.classes.empty())
         made.shared = {&content->colours(), &content->colour_bar(), values};
     made.content = std::move(content);

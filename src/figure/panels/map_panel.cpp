@@ -107,7 +107,7 @@ Axes MapPanel::axes_in(const CanvasBox& frame) const {
         length_unit(picture_.scale.in_metres, std::max(extent.width, extent.height));
     return {frame,
             {0.0, extent.width / unit.length,
-             label_or(settings_.x_label, fmt::format("x ({})", unit.symbol))},
+             label_or(settings_.x_label, fmt::format("x ({})", unit.symbol)), settings_.x_axis},
             {0.0, extent.height / unit.length,
              label_or(settings_.y_label, fmt::format("y ({})", unit.symbol)), settings_.y_axis}};
 }

@@ -37,6 +37,7 @@ struct MapPanelSettings {
     bool axes = true;  ///< x and y in metres, millimetres, kilometres or sites; else a plain frame
     std::string x_label;  ///< with {unit}; empty: x and its unit
     std::string y_label;
+    bool x_axis = true;  ///< false: only y has numbers (maps above each other)
     bool y_axis = true;  ///< false: only x has numbers (maps side by side)
     BarPlace colour_bar = BarPlace::right;
     bool scale_bar = false;
@@ -73,6 +74,8 @@ class MapPanel : public PanelContent {
     /// To be changed before it is drawn.
     ColourScale& colours() { return picture_.colours; }
     BarPlace& colour_bar() { return settings_.colour_bar; }
+    bool& x_axis() { return settings_.x_axis; }
+    bool& y_axis() { return settings_.y_axis; }
 
   private:
     [[nodiscard]] Axes axes_in(const CanvasBox& frame) const;
