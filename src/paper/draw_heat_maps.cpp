@@ -153,12 +153,19 @@ std::string classes_text(const ChartSettings& chart, const std::string& unit) {
 
 void add_lines(HeatMap& map, const PanelSettings& settings, const Values& values,
                std::vector<std::string>& remarks, const std::string& unit) {
-    std::vector<double> levels;  // classes part cell by cell
-    if (settings.chart.classes.empty()) levels = settings.chart.levels;
     const std::string of = unit.empty() ? "" : " " + unit;
+    const auto add = [&](const std::vector<double>& levels, const std::string& remark) {
+        const std::size_t before = map.lines.size();
+        for (const double level : levels) {
+            std::vector<ContourLine> lines = cell_lines(map.values, level);
+            map.lines.insert(map.lines.end(), lines.begin(), lines.end());
+        }
+        if (map.lines.size() > before) remarks.push_back(remark + of);
+    };
+    const std::vector<double>& levels = settings.chart.levels;
+    if (!levels.empty() && settings.chart.classes.empty())  // classes part cell by cell
+        add(levels, fmt::format("lines at {:g}", fmt::join(levels, ", ")));
     const bool every = !settings.contours.is_word() || settings.contours.word != "none";
-    if (!levels.empty())
-        remarks.push_back(fmt::format("lines at {:g}{}", fmt::join(levels, ", "), of));
     if (every && values && values->second > values->first) {
         constexpr int most = 8;
         constexpr double most_levels = 100.0;
@@ -168,14 +175,11 @@ void add_lines(HeatMap& map, const PanelSettings& settings, const Values& values
         if ((values->second - values->first) / interval > most_levels)
             throw InputError(fmt::format("contours every {:g} would be more than {:g} levels",
                                          interval, most_levels));
+        std::vector<double> multiples;
         for (double k = std::ceil(values->first / interval); k * interval <= values->second;
              k += 1.0)
-            levels.push_back(k * interval);
-        remarks.push_back(fmt::format("lines every {:g}{}", interval, of));
-    }
-    for (const double level : levels) {
-        std::vector<ContourLine> lines = cell_lines(map.values, level);
-        map.lines.insert(map.lines.end(), lines.begin(), lines.end());
+            multiples.push_back(k * interval);
+        add(multiples, fmt::format("lines every {:g}", interval));
     }
     map.name_lines = settings.chart.cell_text == CellText::none;
 }
