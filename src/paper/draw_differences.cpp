@@ -148,6 +148,10 @@ std::vector<MadePanel> make_differences(const PanelSubject& subject, PanelTools&
             one.data.push_back({std::move(file.ending), std::move(file.bytes)});
         auto content = std::make_unique<MapPanel>(std::move(picture), std::move(shown));
         if (chart.share_colours) one.shared = {&content->colours(), &content->colour_bar(), values};
+        if (chart.share_axes && settings.axes) {
+            const std::string range = ground_range(settings, subject.snapshots[k]);
+            one.axes = {&content->x_axis(), &content->y_axis(), range, range};
+        }
         one.content = std::move(content);
         made.push_back(std::move(one));
     }

@@ -154,13 +154,19 @@ std::string classes_text(const ChartSettings& chart, const std::string& unit) {
 
 void add_lines(HeatMap& map, const PanelSettings& settings, const Values& values,
                std::vector<std::string>& remarks, const std::string& unit) {
-    std::vector<double> levels;  // classes part cell by cell
-    if (settings.chart.classes.empty()) levels = settings.chart.levels;
     const std::string of = unit.empty() ? "" : " " + unit;
+    const auto add = [&](const std::vector<double>& levels, const std::string& remark) {
+        const std::size_t before = map.lines.size();
+        for (const double level : levels) {
+            std::vector<ContourLine> lines = cell_lines(map.values, level);
+            map.lines.insert(map.lines.end(), lines.begin(), lines.end());
+        }
+        if (map.lines.size() > before) remarks.push_back(remark + of);
+    };
+    const std::vector<double>& levels = settings.chart.levels;
+    if (!levels.empty() && settings.chart.classes.empty())  // classes part cell by cell
+        add(levels, phrase("lines at {}", fmt::format("{:g}", fmt::join(levels, ", "))));
     const bool every = !settings.contours.is_word() || settings.contours.word != "none";
-    if (!levels.empty())
-        remarks.push_back(
-            phrase("lines at {}", fmt::format("{:g}{}", fmt::join(levels, ", "), of)));
     if (every && values && values->second > values->first) {
         constexpr int most = 8;
         constexpr double most_levels = 100.0;
@@ -170,14 +176,11 @@ void add_lines(HeatMap& map, const PanelSettings& settings, const Values& values
         if ((values->second - values->first) / interval > most_levels)
             throw InputError(fmt::format("contours every {:g} would be more than {:g} levels",
                                          interval, most_levels));
+        std::vector<double> multiples;
         for (double k = std::ceil(values->first / interval); k * interval <= values->second;
              k += 1.0)
-            levels.push_back(k * interval);
-        remarks.push_back(phrase("lines every {}", fmt::format("{:g}{}", interval, of)));
-    }
-    for (const double level : levels) {
-        std::vector<ContourLine> lines = cell_lines(map.values, level);
-        map.lines.insert(map.lines.end(), lines.begin(), lines.end());
+            multiples.push_back(k * interval);
+        add(multiples, phrase("lines every {}", fmt::format("{:g}", interval)));
     }
     map.name_lines = settings.chart.cell_text == CellText::none;
 }
@@ -301,7 +304,14 @@ MadePanel heat_map_of(const CurvePlan& curve, const PanelSettings& settings,
     add_lines(map, settings, values, made.remarks, z_column.unit);
     add_count_remarks(made.remarks, cells, chart);
     made.data.push_back({"-1.csv", csv_of(asked, table, x, y, cells)});
+    const auto range_of = [](const HeatAxis& axis) {
+        return fmt::format("{}: {} at {}", axis.label, fmt::join(axis.names, ", "),
+                           fmt::join(axis.middles, ", "));
+    };
+    const std::string x_range = range_of(map.x);
+    const std::string y_range = range_of(map.y);
     auto content = std::make_unique<HeatMapPanel>(std::move(map));
+    if (chart.share_axes) made.axes = {&content->x_axis(), &content->y_axis(), x_range, y_range};
     if (chart.share_colours && chart.classes.empty())
         made.shared = {&content->colours(), &content->colour_bar(), values};
     made.content = std::move(content);

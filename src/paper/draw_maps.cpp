@@ -157,6 +157,10 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
         auto content = std::make_unique<MapPanel>(std::move(picture), std::move(shown));
         if (settings.chart.share_colours)
             one.shared = {&content->colours(), &content->colour_bar(), own};
+        if (settings.chart.share_axes && settings.axes) {
+            const std::string range = ground_range(settings, subject.snapshots[k]);
+            one.axes = {&content->x_axis(), &content->y_axis(), range, range};
+        }
         one.content = std::move(content);
         made.push_back(std::move(one));
     }

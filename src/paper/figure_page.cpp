@@ -93,6 +93,7 @@ class Assembly {
     FigurePage assemble() {
         for (const PanelPlan& panel : plan_.panels) add(panel);
         share_colours();
+        share_axes();
         return std::move(made_);
     }
 
@@ -117,6 +118,24 @@ class Assembly {
                 "frames and ticks are {:.2g} points wide, and journals ask for {:g} or more; "
                 "figure.line_width = {:g} does it",
                 made_.page.line_width, least_line, 2.0 * least_line));
+        }
+    }
+
+    /// Leaves out the numbers of axes that the panel left of one, or below, shows too.
+    void share_axes() {
+        if (axes_.empty()) return;
+        const std::vector<GridPlace> places = grid_places(made_.page);
+        for (const auto& [number, axes] : axes_) {
+            const GridPlace& place = places[number];
+            for (const auto& [other, others] : axes_) {
+                const GridPlace& near = places[other];
+                if (near.row == place.row && near.rows == place.rows &&
+                    near.last_column() + 1 == place.column && others.y_range == axes.y_range)
+                    *axes.y = false;
+                if (near.column == place.column && near.columns == place.columns &&
+                    place.last_row() + 1 == near.row && others.x_range == axes.x_range)
+                    *axes.x = false;
+            }
         }
     }
 
@@ -201,6 +220,8 @@ class Assembly {
                 made_.data.push_back({letter_of_next(panel) + data.name, std::move(data.text)});
             if (one.shared.colours != nullptr)
                 sharing_.push_back({one.shared, panel.path, made_.remarks.size() - 1});
+            if (one.axes.x != nullptr && !inset)
+                axes_.emplace_back(made_.page.panels.size(), one.axes);
             place(panel, std::move(one.content), std::move(one.title));
         }
     }
@@ -234,6 +255,7 @@ class Assembly {
     PanelTools tools_;
     FigurePage made_;
     std::vector<Sharing> sharing_;
+    std::vector<std::pair<std::size_t, PanelAxes>> axes_;  ///< by the panel's number on the page
 };
 
 }  // namespace

@@ -135,7 +135,8 @@ class Planner {
     }
 
     std::optional<CurvePlan> read_curve(const CurveSettings& settings, const std::string& path) {
-        CurvePlan curve{settings, path, {}, {}, {}, 0, {}};
+        CurvePlan curve{settings, path, {}, {}, plan_.scene, 0, {}};
+        if (settings.table == CurveTable::expression) return curve;
         if (settings.table == CurveTable::file) {
             curve.table = at(path + ".file", [&] {
                 const SourceText& source = sources_.text(plan_.scene.directory / settings.file);
@@ -143,10 +144,6 @@ class Planner {
                 refuse_infinities(table, settings, source.path);
                 return table;
             });
-            curve.scene = plan_.scene;
-        } else if (settings.table == CurveTable::expression) {
-            curve.scene = plan_.scene;
-            return curve;
         } else {
             curve.sweep = make_plan(request(settings, path));
             if (!curve.sweep) return std::nullopt;

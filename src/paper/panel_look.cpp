@@ -88,6 +88,11 @@ std::optional<int> row_of(const PanelSettings& panel, const Grid& bed) {
     return bed.ny() / 2;
 }
 
+std::string ground_range(const PanelSettings& panel, const Snapshot& snapshot) {
+    return fmt::format("{} by {}, {} by {}, {} {}", snapshot.bed.nx(), snapshot.bed.ny(),
+                       snapshot.scale.dx, snapshot.scale.dy, panel.x_label, panel.y_label);
+}
+
 bool same_ground(const Snapshot& a, const Snapshot& b) {
     return a.bed.nx() == b.bed.nx() && a.bed.ny() == b.bed.ny() && a.scale.dx == b.scale.dx &&
            a.scale.dy == b.scale.dy && a.scale.in_metres == b.scale.in_metres;

@@ -41,6 +41,9 @@ std::optional<GroundDirection> direction_of(PanelArrow arrow, const Snapshot& fi
 /// The row that a profile or time-space panel shows; none: the mean over all.
 std::optional<int> row_of(const PanelSettings& panel, const Grid& bed);
 
+/// What tells that two maps of snapshots have the same axes.
+std::string ground_range(const PanelSettings& panel, const Snapshot& snapshot);
+
 /// Whether two beds have as many cells of the same size, so that one may be taken from the other.
 bool same_ground(const Snapshot& a, const Snapshot& b);
 

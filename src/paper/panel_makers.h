@@ -31,6 +31,14 @@ struct PanelColours {
     Values values{};  ///< the least and the greatest shown
 };
 
+/// The axes of a panel, which neighbours may share; they live as long as its content.
+struct PanelAxes {
+    bool* x = nullptr;  ///< whether its numbers show; null: it shares none
+    bool* y = nullptr;
+    std::string x_range{};  ///< what says that two axes are the same
+    std::string y_range{};
+};
+
 /// A panel ready to be placed on its page.
 struct MadePanel {
     std::unique_ptr<const PanelContent> content;
@@ -38,7 +46,8 @@ struct MadePanel {
     std::vector<std::string> remarks;   ///< for the caption: ranges, intervals, exaggeration
     std::vector<std::string> warnings;  ///< what the user should hear
     PanelColours
-        shared{};  ///< where the panel shares its colours; then no remark tells their range
+        shared{};      ///< where the panel shares its colours; then no remark tells their range
+    PanelAxes axes{};  ///< where the panel shares its axes
     std::vector<FigureData> data;  ///< named by what follows the panel's letter: ".asc", "-1.csv"
 };
 

@@ -153,6 +153,7 @@ class FigureCheck {
         const std::vector<PanelKind> with_bar_label{map,      view,    time_space,
                                                     heat_map, scatter, difference};
         const std::vector<PanelKind> sharing{map, difference, heat_map, scatter};
+        const std::vector<PanelKind> with_sides{map, difference, heat_map};
         const std::vector<PanelKind> heat_maps{heat_map};
         const std::vector<PanelKind> histograms{histogram};
         const std::vector<PanelKind> box_plots{box_plot};
@@ -218,6 +219,7 @@ class FigureCheck {
             {"minus_scene", !chart.minus_scene.empty(), differences},
             {"minus_set", !chart.minus_set.empty(), differences},
             {"minus_step", chart.minus_step >= 0, differences},
+            {"share_axes", chart.share_axes, with_sides},
             {"share_colours", chart.share_colours, sharing}};
         for (const Asked& asked : all) {
             if (!asked.given || std::ranges::find(asked.kinds, panel.kind) != asked.kinds.end())

@@ -261,7 +261,8 @@ TEST_F(FigureChartsTest, ADifferenceNamesBothBedsAndPartsAtZero) {
 }
 
 TEST_F(FigureChartsTest, SeveralMapsShareOneRangeAndOneBar) {
-    const std::string map = "[[figure.panel]]\nkind = \"map\"\nshare_colours = true\n";
+    const std::string map =
+        "[[figure.panel]]\nkind = \"map\"\nshare_colours = true\nshare_axes = true\n";
     write_scene("maps.toml", "[figure]\nformats = [\"svg\"]\nsvg_text = \"text\"\n" + map +
                                  "set = [\"model.hop_base=1\"]\n" + map);
     const Ended ended = figure("maps.toml");
@@ -269,6 +270,11 @@ TEST_F(FigureChartsTest, SeveralMapsShareOneRangeAndOneBar) {
     const std::string told = text("out/maps.caption.txt");
     EXPECT_EQ(count_of(told, "one range for all panels"), 2U) << told;
     EXPECT_EQ(count_of(text("out/maps.svg"), ">height (model"), 1U) << "one bar";
+    EXPECT_EQ(count_of(text("out/maps.svg"), ">x (sites)"), 2U);
+    EXPECT_EQ(count_of(text("out/maps.svg"), ">y (sites)"), 1U) << "the left one's";
+    ASSERT_EQ(figure("maps.toml", {"--set", "figure.columns=1"}, "column").status, 0);
+    EXPECT_EQ(count_of(text("column/maps.svg"), ">x (sites)"), 1U) << "the lower one's";
+    EXPECT_EQ(count_of(text("column/maps.svg"), ">y (sites)"), 2U);
 }
 
 TEST_F(FigureChartsTest, WrongChartsAreOneLocatedLine) {

@@ -61,6 +61,8 @@ class HeatMapPanel : public PanelContent {
     /// To be changed before it is drawn.
     ColourScale& colours() { return map_.colours; }
     BarPlace& colour_bar() { return map_.bar; }
+    bool& x_axis() { return map_.x.tick_labels; }
+    bool& y_axis() { return map_.y.tick_labels; }
 
   private:
     [[nodiscard]] PlotAxes axes_in(const Canvas& canvas, const CanvasBox& frame) const;

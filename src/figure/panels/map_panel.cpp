@@ -107,11 +107,11 @@ Axes MapPanel::axes_in(const CanvasBox& frame) const {
     const BedExtent extent = bed_extent(picture_.values, picture_.scale);
     const LengthUnit unit =
         length_unit(picture_.scale.in_metres, std::max(extent.width, extent.height));
-    return {
-        frame,
-        {0.0, extent.width / unit.length, label_or(settings_.x_label, labelled("x", unit.symbol))},
-        {0.0, extent.height / unit.length, label_or(settings_.y_label, labelled("y", unit.symbol)),
-         settings_.y_axis}};
+    return {frame,
+            {0.0, extent.width / unit.length,
+             label_or(settings_.x_label, labelled("x", unit.symbol)), settings_.x_axis},
+            {0.0, extent.height / unit.length,
+             label_or(settings_.y_label, labelled("y", unit.symbol)), settings_.y_axis}};
 }
 
 /// The axes that are drawn: by default those of axes_in().
@@ -126,7 +126,9 @@ Axes MapPanel::shown_axes(const CanvasBox& frame) const {
     };
     AxisRange y = range(Axis::north, extent.height, settings_.y_label);
     y.tick_labels = settings_.y_axis;
-    return {frame, range(Axis::east, extent.width, settings_.x_label), std::move(y)};
+    AxisRange x = range(Axis::east, extent.width, settings_.x_label);
+    x.tick_labels = settings_.x_axis;
+    return {frame, std::move(x), std::move(y)};
 }
 
 PanelMargins MapPanel::margins(const Canvas& canvas, double width, double height) const {

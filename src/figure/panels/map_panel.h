@@ -39,6 +39,7 @@ struct MapPanelSettings {
     std::string y_label;
     /// Where the picture's cells lie, for axes with the coordinates of their file.
     std::optional<WorldScale> coordinates;
+    bool x_axis = true;  ///< false: only y has numbers (maps above each other)
     bool y_axis = true;  ///< false: only x has numbers (maps side by side)
     BarPlace colour_bar = BarPlace::right;
     bool scale_bar = false;
@@ -75,6 +76,8 @@ class MapPanel : public PanelContent {
     /// To be changed before it is drawn.
     ColourScale& colours() { return picture_.colours; }
     BarPlace& colour_bar() { return settings_.colour_bar; }
+    bool& x_axis() { return settings_.x_axis; }
+    bool& y_axis() { return settings_.y_axis; }
 
   private:
     [[nodiscard]] Axes axes_in(const CanvasBox& frame) const;

@@ -140,7 +140,7 @@ std::string plain_caption(const std::string& caption) {
         [](std::string_view part, bool raised) {
             if (raised && all_known(part, raised_letters)) return replaced(part, raised_letters);
             if (!raised && all_known(part, lowered_letters)) return replaced(part, lowered_letters);
-            return (raised ? "^" : "_") + std::string(part);
+            return std::string(1, raised ? '^' : '_').append(part);
         });
 }
 

@@ -56,6 +56,9 @@ void list_chart_keys(ChartSettings& chart, const std::string& path, KeyTable& ta
                   {.unit = "steps",
                    .range = {-1, largest_step},
                    .help = "difference: the step of what is taken away; -1: that of steps"});
+    table.boolean(path + ".share_axes", chart.share_axes,
+                  {.help = "no numbers along a side on which the panel left of it or below, if it "
+                           "says so too, has the same axis (map, difference, heat-map)"});
     table.boolean(path + ".share_colours", chart.share_colours,
                   {.help = "one range of colours, and one bar beside the last, with the other "
                            "panels that say so (map, difference, heat-map, scatter)"});

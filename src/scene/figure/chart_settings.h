@@ -37,6 +37,7 @@ struct ChartSettings {
     std::vector<std::string> minus_set;  ///< "key=value": changes to it
     std::int64_t minus_step = -1;        ///< −1: that which is shown
 
+    bool share_axes = false;     ///< with neighbours that say so
     bool share_colours = false;  ///< with the other panels that say so
 };
 
