@@ -156,7 +156,7 @@ std::string name_in_words(const std::string& name) {
 }
 
 std::string quantity_in_words(const std::string& name, const std::string& unit) {
-    const std::string english = quantity_text(name, unit);
+    std::string english = quantity_text(name, unit);
     if (!spoken()) return english;
     const std::string plain = unit.empty() ? english : english.substr(0, english.rfind(" ("));
     const std::string own = name_in_words(plain);
