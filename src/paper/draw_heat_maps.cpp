@@ -149,12 +149,12 @@ std::string classes_text(const ChartSettings& chart, const std::string& unit) {
     std::string text = fmt::format("{} below {:g}", chart.classes[0], chart.levels[0]);
     for (std::size_t i = 0; i < chart.levels.size(); ++i)
         text += fmt::format(", {} from {:g}", chart.classes[i + 1], chart.levels[i]);
-    return unit.empty() ? text : text + " " + unit;
+    return unit.empty() ? text : fmt::format("{} {}", text, unit_word(unit));
 }
 
 void add_lines(HeatMap& map, const PanelSettings& settings, const Values& values,
                std::vector<std::string>& remarks, const std::string& unit) {
-    const std::string of = unit.empty() ? "" : " " + unit;
+    const std::string of = unit.empty() ? "" : fmt::format(" {}", unit_word(unit));
     const auto add = [&](const std::vector<double>& levels, const std::string& remark) {
         const std::size_t before = map.lines.size();
         for (const double level : levels) {

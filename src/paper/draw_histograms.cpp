@@ -164,7 +164,7 @@ std::vector<MadePanel> make_histograms(const PanelSubject& subject, PanelTools& 
                                 csv_of(sample, edges, counts, heights, chart.bar_height)});
     }
     const Sample& first = samples.front();
-    const std::string of = first.unit.empty() ? "" : " " + first.unit;
+    const std::string of = first.unit.empty() ? "" : fmt::format(" {}", unit_word(first.unit));
     const std::string low = fmt::format("{:.4g}", edges.front());
     const std::string high = fmt::format("{:.4g}{}", edges.back(), of);
     made[0].remarks.insert(

@@ -134,8 +134,8 @@ class Check {
 
     void check_formats() {
         if (taken().empty())
-            add("figure.formats", fmt::format("none of them is taken ({}: {})",
-                                              journal_.title, fmt::join(journal_.formats, ", ")));
+            add("figure.formats", fmt::format("none of them is taken ({}: {})", journal_.title,
+                                              fmt::join(journal_.formats, ", ")));
         const bool tif = std::ranges::find(figure_.formats, "tif") != figure_.formats.end();
         if (journal_.rgb && tif && !figure_.icc_profile.empty())
             add("figure.icc_profile",

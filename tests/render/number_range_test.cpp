@@ -139,7 +139,7 @@ TEST(NumberRange, OfScalesTimesAndFields) {
     EXPECT_EQ(fault([](Snapshot& bad) { bad.scale.height_unit = 0.0; }),
               "a model height is 0 m; it has 1e-09 to 1e+07 m");
     EXPECT_EQ(fault([](Snapshot& bad) { bad.scale.height_unit = 1e7; }),
-              "the height of cell (3, 2) is 1e+07 m; heights go to ±1e+06 m");
+              "the height of cell (3, 2) is 10000000 m; heights go to ±1e+06 m");
     EXPECT_EQ(fault([](Snapshot& bad) {
                   bad.time = not_a_number;
                   bad.time_unit = "s";

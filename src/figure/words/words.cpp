@@ -13,6 +13,7 @@
 #include "base/nearest_name.h"
 #include "base/quantity_text.h"
 #include "figure/words/word_check.h"
+#include "keys/toml_text.h"
 
 namespace fumon {
 
@@ -71,12 +72,8 @@ void check_word(const std::string& english, std::string_view own, const std::str
 }
 
 WordTable parse_word_table(std::string_view text, const std::string& source) {
-    toml::table parsed;
-    try {
-        parsed = toml::parse(text, source);
-    } catch (const toml::parse_error& fault) {
-        throw InputError(place_of(source, fault.source()) + std::string(fault.description()));
-    }
+    const toml::table parsed =
+        parse_toml(text, source, "a table of words has [words], [units] and [names]");
     WordTable table;
     const std::map<std::string_view, WordTable::Words*> sections{
         {"words", &table.words}, {"units", &table.units}, {"names", &table.names}};

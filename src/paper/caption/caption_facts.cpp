@@ -39,7 +39,7 @@ std::string key_text(const Key& key) {
         known == nullptr ? key.path : fmt::format("{} ({})", known->symbol, key.path);
     const std::string& unit = key.notes.unit;
     return fmt::format("{} = {}{}", name, value_text(key),
-                       unit.empty() ? "" : " " + unit_word(unit));
+                       unit.empty() ? "" : fmt::format(" {}", unit_word(unit)));
 }
 
 /// A model's default scene with lists as long as those of another table, whose items have their

@@ -119,8 +119,8 @@ struct PanelSettings {
     bool palette_reversed = false;
     double shading = 0.0;  ///< hill shading of a map
     bool shading_from_all_sides = false;
-    WordOrReal contours{"none", 0.0};                ///< metres between lines of equal height
-    PanelRelief relief = PanelRelief::clear;         ///< of a view
+    WordOrReal contours{"none", 0.0};                    ///< metres between lines of equal height
+    PanelRelief relief = PanelRelief::clear;             ///< of a view
     PanelColouring colours = PanelColouring::automatic;  ///< likewise
     bool axes = true;
     bool coordinates = false;  ///< of the terrain's file, along a map or a view's block

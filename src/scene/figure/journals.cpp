@@ -4,10 +4,12 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include "base/data_files.h"
 #include "base/error.h"
+#include "keys/toml_text.h"
 
 namespace fumon {
 
@@ -48,16 +50,13 @@ Journal journal_of(const toml::table& table) {
 std::vector<Journal> read_journals() {
     const auto file = data_file("assets/journals/journals.toml");
     std::vector<Journal> all;
-    try {
-        const toml::table root = toml::parse_file(file.string());
-        if (const toml::array* list = root["journal"].as_array()) {
-            for (const toml::node& node : *list) {
-                if (const toml::table* table = node.as_table()) all.push_back(journal_of(*table));
-            }
+    std::ifstream stream(file);
+    const std::string text((std::istreambuf_iterator<char>(stream)), {});
+    const toml::table root = parse_toml(text, file.string(), "a table of journals has [[journal]]");
+    if (const toml::array* list = root["journal"].as_array()) {
+        for (const toml::node& node : *list) {
+            if (const toml::table* table = node.as_table()) all.push_back(journal_of(*table));
         }
-    } catch (const toml::parse_error& fault) {
-        throw Error(fmt::format("{}:{}: {}", file.string(), fault.source().begin.line,
-                                fault.description()));
     }
     if (all.empty() || !all.front().name.empty())
         throw Error(fmt::format("{}: its first journal has no empty name", file.string()));
