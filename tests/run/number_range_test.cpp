@@ -108,9 +108,8 @@ TEST(NumberRange, HeightsInMetresCountWhateverTheirUnitIs) {
         refusal(scene_of("sand",
                          "[grid]\nnx = 8\nny = 6\ncell_size = 1\nheight_unit = 100\n[bed]\nkind = "
                          "\"flat\"\nheight = 10001\n"));
-    EXPECT_NE(
-        why.find("the bed: the height of cell (0, 0) is 1000100 m; heights go to ±1e+06 m"),
-        std::string::npos)
+    EXPECT_NE(why.find("the bed: the height of cell (0, 0) is 1000100 m; heights go to ±1e+06 m"),
+              std::string::npos)
         << why;
 }
 
