@@ -96,9 +96,14 @@ std::string bibtex_of(const Work& work) {
         if (!value.empty()) text += fmt::format("  {} = {{{}}},\n", field, value);
     };
     add("author", tex_text(joined(work.authors, " and ", " and ")));
-    add("title", fmt::format("{{{}}}", tex_text(work.title)));
-    if (!work.translation.empty())
-        add("note", fmt::format("In Japanese: {}", tex_text(work.translation)));
+    // Most styles and LaTeX's own fonts have no Japanese letters: the title as published stands in
+    // a field that they pass over.
+    const bool translated = !work.translation.empty();
+    add("title", fmt::format("{{{}}}", tex_text(translated ? work.translation : work.title)));
+    if (translated) {
+        add("origtitle", fmt::format("{{{}}}", tex_text(work.title)));
+        add("note", "In Japanese");
+    }
     add(bibtex_place(work.kind),
         (work.kind == WorkKind::thesis ? "Thesis, " : "") + tex_text(work.in));
     add("year", std::to_string(work.year));

@@ -243,7 +243,8 @@ Terrain read_bed_file(const Scene& scene, const std::filesystem::path& file) {
 std::string doubts_of(const Scene& scene, const Terrain& terrain,
                       const std::filesystem::path& file) {
     try {
-        return heights_in_doubt(terrain, file.string());
+        return heights_in_doubt(terrain,
+                                is_held_bed(scene.bed.file) ? held_bed_title : file.string());
     } catch (const InputError&) {
         if (may_tell_of_bed(scene)) throw;
         throw no_bed_in(scene, file);

@@ -90,6 +90,11 @@ TEST(Cite, ReferencesHaveTheThreeFormats) {
                          "A. C. W.},\n"))
         << bibtex;
     EXPECT_TRUE(contains(bibtex, "  pages = {724--740},\n"));
+    EXPECT_TRUE(contains(bibtex,
+                         "  title = {{Simulation of pattern formation in dunes}},\n"
+                         "  origtitle = {{砂丘のパターン形成のシミュレーション}},\n"
+                         "  note = {In Japanese},\n"))
+        << bibtex;
     EXPECT_EQ(std::ranges::count(bibtex, '{'), std::ranges::count(bibtex, '}'));
     const std::string ris = reference_list(works, ReferenceFormat::ris);
     EXPECT_TRUE(contains(ris, "SP  - 724\nEP  - 740\n")) << ris;

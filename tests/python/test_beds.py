@@ -101,7 +101,7 @@ def test_what_is_no_terrain_is_refused(wrong, error, words):
 
 
 def test_the_checks_are_those_of_files():
-    with pytest.raises(fumon.InputError, match="beyond|no ground"):
+    with pytest.raises(fumon.InputError, match="the array: .*beyond|no ground"):
         scene_of(np.where(HILLS > 4, 2e6, HILLS)).at(0)
     with pytest.raises(fumon.InputError, match="grid.nx is 7, but the array has 20 cells"):
         scene_of(HILLS, grid_nx=7).at(0)
