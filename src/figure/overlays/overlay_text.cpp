@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/quantity_text.h"
+#include "figure/panels/step_text.h"
 #include "figure/words/words.h"
 #include "keys/keys.h"
 #include "scene/placeholders.h"
@@ -173,6 +175,23 @@ std::string TimeText::operator()(double time) const {
     return with_commas(time, decimals == by_size ? by_its_size : decimals) + " " + unit_word(unit);
 }
 
+std::string TimeText::in(const std::string& wanted, double time) const {
+    const std::optional<double> factor = time_factor(unit, wanted);
+    if (!factor) {
+        throw InputError(
+            unit == "steps"
+                ? fmt::format("{{time:{}}}: this model counts steps and knows no time", wanted)
+                : fmt::format("{{time:{}}}: a time in {} is told in µs, ms, s, min, h, d or yr",
+                              wanted, unit));
+    }
+    constexpr int most_decimals = 2;
+    TimeText own = *this;
+    own.unit = wanted;
+    if (end && last > 0)
+        own.decimals = decimals_of(*factor * *end / static_cast<double>(last), most_decimals);
+    return own(*factor * time);
+}
+
 TimeText time_text_of(const Scene& scene, const Snapshot& first) {
     constexpr int most_decimals = 6;
     const std::int64_t last = scene.run.steps;
@@ -189,6 +208,8 @@ std::string filled_text(const std::string& text, const Scene& scene, const TimeT
         if (name == "title") return scene.title;
         if (name == "step") return with_commas(step);
         if (name == "time") return times(time);
+        if (constexpr std::string_view in_unit = "time:"; name.starts_with(in_unit))
+            return times.in(name.substr(in_unit.size()), time);
         if (name == "seed") return fmt::format("{}", scene.seed);
         return shown_value(scene, name);
     });

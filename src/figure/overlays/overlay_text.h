@@ -21,13 +21,16 @@ struct TimeText {
 
     /// "300 s"; "1,200 steps".
     [[nodiscard]] std::string operator()(double time) const;
+    /// The same in another unit of time, with at most two decimals: "0.08 h". Throws InputError
+    /// without a place for what is none, and where there are only steps.
+    [[nodiscard]] std::string in(const std::string& wanted, double time) const;
 };
 
 /// The time text of a scene's run; `first` gives the unit.
 TimeText time_text_of(const Scene& scene, const Snapshot& first);
 
-/// A text with {title}, {seed}, {step}, {time} and {key} filled in, for a step. Throws InputError
-/// without a place for other names.
+/// A text with {title}, {seed}, {step}, {time}, {time:h} and {key} filled in, for a step. Throws
+/// InputError without a place for other names.
 std::string filled_text(const std::string& text, const Scene& scene, const TimeText& times,
                         std::int64_t step, double time);
 

@@ -41,12 +41,18 @@ constexpr std::array<TimeUnit, 8> time_units{{{"µs", 1e-6},
 
 }  // namespace
 
-std::optional<std::string> time_in(double time, const std::string& unit,
-                                   const std::string& wanted) {
+std::optional<double> time_factor(const std::string& unit, const std::string& wanted) {
     const TimeUnit* from = find_by(time_units, &TimeUnit::name, unit);
     const TimeUnit* to = find_by(time_units, &TimeUnit::name, wanted);
     if (from == nullptr || to == nullptr) return std::nullopt;
-    return fmt::format("{:.6g} {}", time * (from->seconds / to->seconds), unit_word(wanted));
+    return from->seconds / to->seconds;
+}
+
+std::optional<std::string> time_in(double time, const std::string& unit,
+                                   const std::string& wanted) {
+    const std::optional<double> factor = time_factor(unit, wanted);
+    if (!factor) return std::nullopt;
+    return fmt::format("{:.6g} {}", time * *factor, unit_word(wanted));
 }
 
 std::string natural_time(double time, const std::string& unit) {

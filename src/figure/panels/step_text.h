@@ -13,6 +13,10 @@ std::string length_of_time(double time, const std::string& unit);
 /// A time in the unit that suits it: "2.5 ms", "90 s", "20 min", "1.5 h", "3 d", "0.25 yr".
 std::string natural_time(double time, const std::string& unit);
 
+/// How many of a wanted unit of time one of a given unit is: 1/3600 of "s" in "h"; nothing where
+/// either is none of the known units, see time_in().
+std::optional<double> time_factor(const std::string& unit, const std::string& wanted);
+
 /// A time in a unit of one's own, of the units of time that are known: µs, ms, s, min, h, d, yr (of
 /// 365.25 d); nothing where either is none of them.
 std::optional<std::string> time_in(double time, const std::string& unit, const std::string& wanted);

@@ -293,7 +293,7 @@ void list_one_overlay(OverlaySettings& overlay, const std::string& path, KeyTabl
                  {.help = "where it is placed; several in one corner are stacked"});
     table.text(path + ".text", overlay.text,
                {.help = "title, time; plot: its heading; colour-bar: what it shows. {title}, "
-                        "{step}, {time}, {seed} and "
+                        "{step}, {time}, {time:h}, {seed} and "
                         "{model.creep_rate} stand for values; empty: as usual"});
     table.text_list(
         path + ".keys", overlay.keys,

@@ -120,6 +120,11 @@ TEST(TimeText, IsReadableAndAsFineAsTheSteps) {
     EXPECT_EQ(seconds.end, 1000.0);
     EXPECT_EQ(seconds(300.0), "300.00 s");
     EXPECT_EQ(seconds(1000.0), "1,000.00 s");
+    EXPECT_EQ(filled_text("{time:h}", scene, seconds, 4000, 1000.0), "0.28 h");
+    EXPECT_EQ(filled_text("t = {time:min}", scene, seconds, 4000, 7200.0), "t = 120.00 min");
+    EXPECT_EQ(filled_text("{time:ms}", scene, seconds, 4000, 1000.0), "1,000,000 ms");
+    EXPECT_THROW(filled_text("{time:hours}", scene, seconds, 0, 0.0), InputError);
+    EXPECT_THROW(filled_text("{time:h}", scene, steps, 0, 0.0), InputError);
 
     scene =
         parse_scene("[model]\nname = \"sandpile\"\ngrains_per_step = 500\n[run]\nsteps = 4000\n",
@@ -134,6 +139,7 @@ TEST(TimeText, IsReadableAndAsFineAsTheSteps) {
     EXPECT_EQ(years(0.4567), "0.46 yr");
     EXPECT_EQ(years(2.5), "2.5 yr");
     EXPECT_EQ(years(1020.6), "1,021 yr");
+    EXPECT_EQ(filled_text("{time:d}", scene, years, 0, 1.0), "365 d");
 }
 
 }  // namespace
