@@ -1,14 +1,18 @@
 // Runs a fuzz target without libFuzzer, as part of the tests under the sanitizers: every input of
 // its corpus, then inputs mutated from them, in the same order each time, for two seconds at most.
+// FUZZ_SECONDS goes on for longer, in another order for each FUZZ_SEED.
 //
 //   fuzz_TARGET FOLDER…
+//   FUZZ_SECONDS=600 FUZZ_SEED=7 fuzz_TARGET FOLDER…
 
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <climits>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -52,13 +56,43 @@ std::vector<Bytes> inputs_in(int count, char** folders) {
     return inputs;
 }
 
+/// A number that the environment may name.
+int number_of(const char* variable, int usual) {
+    const char* const text = std::getenv(variable);
+    return text == nullptr ? usual : std::atoi(text);
+}
+
 /// Some bytes that stand where readers expect others.
 std::string_view surprise() {
     using namespace std::string_view_literals;
-    constexpr std::array texts{
-        "-1"sv,   "0"sv, "1e999"sv, "nan"sv, "18446744073709551616"sv, "\""sv,
-        "\n"sv,   ","sv, "\0"sv,    "]"sv,   "\xff\xff\xff\xff"sv,     "{"sv,
-        "\xc3"sv, "="sv, "[["sv,    "."sv,   "\x7f\xff\xff\xff"sv,     " "sv};
+    constexpr std::array texts{"-1"sv,
+                               "0"sv,
+                               "1e999"sv,
+                               "nan"sv,
+                               "18446744073709551616"sv,
+                               "\""sv,
+                               "1.7976931348623157e308"sv,
+                               "-1.7976931348623157e308"sv,
+                               "4.9e-324"sv,
+                               "3.4028235e38"sv,
+                               "-3.4028236e38"sv,
+                               "2147483648"sv,
+                               "-2147483649"sv,
+                               "1000000.0001"sv,
+                               "-0.0"sv,
+                               "1e15"sv,
+                               "\n"sv,
+                               ","sv,
+                               "\0"sv,
+                               "]"sv,
+                               "\xff\xff\xff\xff"sv,
+                               "{"sv,
+                               "\xc3"sv,
+                               "="sv,
+                               "[["sv,
+                               "."sv,
+                               "\x7f\xff\xff\xff"sv,
+                               " "sv};
     return texts[below(texts.size())];
 }
 
@@ -112,8 +146,10 @@ int main(int count, char** arguments) {
     }
     for (const Bytes& input : inputs) LLVMFuzzerTestOneInput(input.data(), input.size());
     constexpr std::size_t room = 4096;  // that an input may grow by
-    constexpr int most_inputs = 5000;
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+    const int seconds = number_of("FUZZ_SECONDS", 2);
+    const int most_inputs = std::getenv("FUZZ_SECONDS") == nullptr ? 5000 : INT_MAX;
+    generator.seed(static_cast<unsigned>(number_of("FUZZ_SEED", 1)));
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
     int mutated = 0;
     for (; mutated < most_inputs && std::chrono::steady_clock::now() < end; ++mutated) {
         Bytes input = inputs[below(inputs.size())];
