@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "base/image.h"
 #include "base/snapshot.h"
 #include "scene/scene.h"
 
