@@ -181,6 +181,7 @@ class Expression::Reader {
             const auto known = std::ranges::find(functions, name, &Function::name);
             if (known == functions.end()) {
                 std::vector<std::string> names;
+                names.reserve(functions.size());
                 for (const Function& function : functions) names.emplace_back(function.name);
                 fail(at, name == "log" ? "log is ambiguous; write ln or log10"
                                        : fmt::format("there is no function \"{}\"; {}", name,

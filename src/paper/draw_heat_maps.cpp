@@ -128,7 +128,8 @@ std::vector<std::string> texts_of(const Cells& cells, CellText asked) {
         } else {
             std::string value = number_text(mean, "{:#.3g}");  // 2.40
             if (value.ends_with('.')) value.pop_back();
-            texts.push_back(asked == CellText::value ? value : value + "\n(" + count + ")");
+            texts.push_back(asked == CellText::value ? value
+                                                     : fmt::format("{}\n({})", value, count));
         }
     }
     return texts;

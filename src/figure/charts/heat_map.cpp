@@ -64,6 +64,7 @@ HeatAxis value_axis(const std::vector<double>& values, std::vector<std::string> 
                     bool logarithmic) {
     if (values.size() < 2) return even_axis(std::move(names));
     std::vector<double> places;
+    places.reserve(values.size());
     for (const double value : values)
         places.push_back(logarithmic ? elementary::log10(value) : value);
     std::vector<double> edges;

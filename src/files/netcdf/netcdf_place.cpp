@@ -53,7 +53,7 @@ std::optional<GridMapping> mapping_of(const GeoReference& place) {
 }  // namespace
 
 FilePlace place_in_file(const WorldScale& scale) {
-    const FilePlace from_corner{0.0, 0.0, scale.dx, scale.dy};
+    FilePlace from_corner{0.0, 0.0, scale.dx, scale.dy};
     if (!scale.in_metres || !scale.place) return from_corner;
     const GeoReference& place = *scale.place;
     const std::string unit = place.degrees ? "degrees" : unit_of_place(place, scale);
