@@ -245,20 +245,11 @@ HeatAxis axis_of(const Places& places, const PanelSettings& settings, bool logar
 }
 
 ColourScale colours_of(const PanelSettings& settings, const Scene& scene, const Grid& means) {
-    const LookSettings look = look_of(settings, scene);
-    ColourScale colours;
-    colours.palette = read_palette(look.palette == "sand" ? "viridis" : look.palette);
-    if (look.palette_reversed) std::ranges::reverse(colours.palette);
     std::vector<double> known;
     std::ranges::copy_if(means.values(), std::back_inserter(known),
                          [](double mean) { return std::isfinite(mean); });
     std::ranges::sort(known);
-    const RangeTails tails = tails_of(settings, 0.0);
-    colours.low = settings.low.is_word() ? quantile(known, tails.low) : settings.low.value;
-    colours.high =
-        settings.high.is_word() ? quantile(known, 1.0 - tails.high) : settings.high.value;
-    if (!(colours.high > colours.low)) colours.high = colours.low + 1.0;
-    return colours;
+    return chart_colours(settings, scene, known);
 }
 
 MadePanel heat_map_of(const CurvePlan& curve, const PanelSettings& settings,

@@ -176,12 +176,7 @@ std::vector<MadePanel> make_histograms(const PanelSubject& subject, PanelTools& 
     for (const CurvePlan& curve : subject.panel.curves) {
         if (curve.settings.table != CurveTable::expression) continue;
         const CurvePoints line = formula_points(curve, settings, range, tools);
-        PlotSeries series;
-        series.label = line.name;
-        series.x = line.x;
-        series.y = line.y;
-        series.ink = black_ink;
-        plot.series.push_back(std::move(series));
+        plot.series.push_back(formula_series(line));
         made[0].data.push_back({fmt::format("-{}.csv", made[0].data.size() + 1), curve_csv(line)});
     }
     plot.x = x_axis_of(settings, first.column, first.unit);

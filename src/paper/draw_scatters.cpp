@@ -72,20 +72,6 @@ std::string csv_of(const ColouredPoints& made) {
     return text;
 }
 
-ColourScale colours_of(const PanelSettings& settings, const Scene& scene,
-                       const std::vector<double>& sorted) {
-    const LookSettings look = look_of(settings, scene);
-    ColourScale colours;
-    colours.palette = read_palette(look.palette == "sand" ? "viridis" : look.palette);
-    if (look.palette_reversed) std::ranges::reverse(colours.palette);
-    const RangeTails tails = tails_of(settings, 0.0);
-    colours.low = settings.low.is_word() ? quantile(sorted, tails.low) : settings.low.value;
-    colours.high =
-        settings.high.is_word() ? quantile(sorted, 1.0 - tails.high) : settings.high.value;
-    if (!(colours.high > colours.low)) colours.high = colours.low + 1.0;
-    return colours;
-}
-
 std::vector<MadePanel> make_scatters(const PanelSubject& subject, PanelTools& tools) {
     const PanelSettings& settings = subject.panel.settings;
     std::vector<std::vector<ColouredPoints>> curves;
@@ -117,12 +103,7 @@ std::vector<MadePanel> make_scatters(const PanelSubject& subject, PanelTools& to
         const CurvePlan& curve = subject.panel.curves[c];
         if (curve.settings.table == CurveTable::expression) {
             const CurvePoints line = formula_points(curve, settings, range, tools);
-            PlotSeries series;
-            series.label = line.name;
-            series.x = line.x;
-            series.y = line.y;
-            series.ink = black_ink;
-            plot.series.push_back(std::move(series));
+            plot.series.push_back(formula_series(line));
             values.emplace_back();
             made[0].data.push_back(
                 {fmt::format("-{}.csv", made[0].data.size() + 1), curve_csv(line)});
@@ -151,7 +132,7 @@ std::vector<MadePanel> make_scatters(const PanelSubject& subject, PanelTools& to
     plot.y = y_axis_of(settings, first->points.y_name, first->points.y_unit);
     plot.legend = legend_of(settings.legend);
     made[0].warnings = check_limits(subject.panel, plot, tools.plan.scene);
-    ColourScale colours = colours_of(settings, tools.plan.scene, all);
+    ColourScale colours = chart_colours(settings, tools.plan.scene, all);
     colours.label = label_or(settings.bar_label, quantity_in_words(first->z_name, first->z_unit));
     const PanelColours::Values shown = std::pair{all.front(), all.back()};
     tell_ends(colours, shown);

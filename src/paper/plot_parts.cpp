@@ -1,14 +1,17 @@
 #include "paper/plot_parts.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/elementary_power.h"
 #include "base/error.h"
 #include "base/quantity_text.h"
 #include "figure/words/words.h"
+#include "numerics/distribution.h"
 #include "numerics/expression.h"
 #include "paper/curve_rows.h"
 #include "paper/figure_tables.h"
+#include "paper/panel_look.h"
 
 namespace fumon {
 
@@ -113,6 +116,28 @@ CurvePoints formula_points(const CurvePlan& curve, const PanelSettings& panel,
     }
     if (!any) refuse("it has no value anywhere between these x");
     return points;
+}
+
+PlotSeries formula_series(const CurvePoints& line) {
+    PlotSeries series;
+    series.label = line.name;
+    series.x = line.x;
+    series.y = line.y;
+    series.ink = black_ink;
+    return series;
+}
+
+ColourScale chart_colours(const PanelSettings& panel, const Scene& scene,
+                          const std::vector<double>& sorted) {
+    const LookSettings look = look_of(panel, scene);
+    ColourScale colours;
+    colours.palette = read_palette(look.palette == "sand" ? "viridis" : look.palette);
+    if (look.palette_reversed) std::ranges::reverse(colours.palette);
+    const RangeTails tails = tails_of(panel, 0.0);
+    colours.low = panel.low.is_word() ? quantile(sorted, tails.low) : panel.low.value;
+    colours.high = panel.high.is_word() ? quantile(sorted, 1.0 - tails.high) : panel.high.value;
+    if (!(colours.high > colours.low)) colours.high = colours.low + 1.0;
+    return colours;
 }
 
 }  // namespace fumon

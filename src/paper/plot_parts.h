@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "figure/panels/colour_bar.h"
 #include "figure/plot/plot.h"
 #include "figure/plot/plot_scale.h"
 #include "paper/figure_curve.h"
@@ -30,5 +31,13 @@ void add_x(ValueRange& range, const CurvePoints& points);
 /// Throws InputError, located, where there is no such range or the formula has no value in it.
 CurvePoints formula_points(const CurvePlan& curve, const PanelSettings& panel,
                            const ValueRange& range, const PanelTools& tools);
+
+/// That line as it is drawn beside values: black.
+PlotSeries formula_series(const CurvePoints& line);
+
+/// The colours of a chart's numbers, which are given sorted: the panel's palette from its low to
+/// its high, by default over all of them. Throws as tails_of().
+ColourScale chart_colours(const PanelSettings& panel, const Scene& scene,
+                          const std::vector<double>& sorted);
 
 }  // namespace fumon
