@@ -14,7 +14,7 @@
 #include "render/colour/palette.h"
 #include "render/view/framing.h"
 #include "render/view/shown_snapshot.h"
-#include "scene/palette_names.h"
+#include "scene/view/palette_names.h"
 
 namespace fumon::python {
 

@@ -16,7 +16,7 @@
 #include "models/registry.h"
 #include "scene/figure_check.h"
 #include "scene/initial_bed.h"
-#include "scene/palette_names.h"
+#include "scene/view/palette_names.h"
 #include "scene/placed_sun.h"
 #include "scene/scene.h"
 

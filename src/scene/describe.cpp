@@ -14,7 +14,7 @@
 #include "keys/keys.h"
 #include "keys/look_presets.h"
 #include "models/registry.h"
-#include "scene/palette_names.h"
+#include "scene/view/palette_names.h"
 #include "scene/scene_keys.h"
 
 namespace fumon {

@@ -14,7 +14,7 @@
 #include "base/nearest_name.h"
 #include "scene/figure/chart_check.h"
 #include "scene/figure/journals.h"
-#include "scene/palette_names.h"
+#include "scene/view/palette_names.h"
 #include "scene/placeholders.h"
 
 namespace fumon {

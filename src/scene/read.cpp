@@ -13,10 +13,10 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "base/utf8.h"
 #include "keys/assign.h"
 #include "keys/earlier_defaults.h"
 #include "keys/look_presets.h"
+#include "keys/setting.h"
 #include "keys/toml_text.h"
 #include "models/registry.h"
 #include "scene/check.h"
@@ -25,42 +25,11 @@
 #include "scene/placed_sun.h"
 #include "scene/scene_keys.h"
 #include "scene/trust.h"
+#include "scene/unknown_keys.h"
 
 namespace fumon {
 
 namespace {
-
-/// An override with its value read.
-struct Setting {
-    Override given;
-    toml::table holder;  ///< the value under the name "value"
-
-    [[nodiscard]] const toml::node& value() const { return *holder.get("value"); }
-    [[nodiscard]] std::string locate(const toml::source_region& region) const {
-        constexpr std::size_t before_value = 9;  // the value starts in column 9 of "value = …"
-        const auto column = static_cast<std::size_t>(region.begin.column);
-        const std::size_t inside = column > before_value ? column - before_value : 0;
-        return given.column == 0 ? given.place
-                                 : fmt::format("{}:{}", given.place, given.column + inside);
-    }
-    [[nodiscard]] std::string locate_key() const {
-        return given.column == 0 ? given.place : given.place + ":1";
-    }
-};
-
-Setting parse_setting(const Override& given) {
-    Setting setting{given, {}};
-    if (!is_utf8(given.value)) {
-        throw InputError(fmt::format("{}: the value of {} is not UTF-8; write it in that encoding",
-                                     setting.locate({}), given.path));
-    }
-    if (auto holder = parse_toml_value(given.value)) {
-        setting.holder = std::move(*holder);
-    } else {
-        setting.holder.insert_or_assign("value", given.value);  // a bare string
-    }
-    return setting;
-}
 
 class Reader {
   public:
@@ -268,7 +237,8 @@ class Reader {
                 scene_.locations[path] = locate(value.source());
             } else if (value.is_array() && table_.find_list(path) != nullptr) {
                 if (!is_cleared(path)) read_items(*value.as_array(), path);
-            } else if (value.is_table() && is_section(path) && table_.find_list(path) == nullptr) {
+            } else if (value.is_table() && is_section(table_, path) &&
+                       table_.find_list(path) == nullptr) {
                 read_section(*value.as_table(), path + ".");
             } else {
                 attempt(path, [&] { refuse_unknown(path, place); });
@@ -320,97 +290,10 @@ class Reader {
         return std::pair{key, index};
     }
 
-    [[nodiscard]] bool is_section(const std::string& path) const {
-        const std::string begin = path + ".";
-        return std::ranges::any_of(table_.keys(),
-                                   [&](const Key& key) { return key.path.starts_with(begin); });
-    }
-
-    /// The item of a list to which a key belongs, as "figure.panel.0."; empty for none.
-    static std::string_view item_of(std::string_view path) {
-        for (std::size_t end = path.rfind('.'); end != path.npos && end > 0;) {
-            const std::size_t dot = path.rfind('.', end - 1);
-            const std::string_view part = path.substr(dot + 1, end - dot - 1);
-            if (part.find_first_not_of("0123456789") == part.npos) return path.substr(0, end + 1);
-            end = dot;
-        }
-        return {};
-    }
-
     /// A model's keys are known only where the model is.
     void refuse_unknown(const std::string& path, const std::string& place) const {
         if (!has_model_ && path.starts_with("model.")) return;
-        if (table_.find_list(path) != nullptr) {
-            throw InputError(
-                fmt::format("{}: {} is a list of sections; write [[{}]] and its keys "
-                            "below, as often as there are",
-                            place, path, without_numbers(path)));
-        }
-        if (is_section(path)) {
-            throw InputError(fmt::format("{}: {} is a section; write [{}] and its keys below",
-                                         place, path, path));
-        }
-        refuse_missing_item(path, place);
-        std::vector<std::string> known;
-        for (const Key& key : table_.keys()) {
-            if (path.starts_with(item_of(key.path))) known.push_back(key.path);
-        }
-        if (const std::string owner = other_model_with(path); !owner.empty()) {
-            throw InputError(fmt::format(
-                "{}: {} belongs to the model \"{}\", not to \"{}\"; see `fumon describe {}`", place,
-                path, owner, scene_.model.name, scene_.model.name));
-        }
-        std::string nearest = nearest_name(path, known);
-        const std::string last = path.substr(path.rfind('.') + 1);
-        for (const std::string& candidate : known) {  // the right name in the wrong section
-            if (nearest.empty() && candidate.substr(candidate.rfind('.') + 1) == last)
-                nearest = candidate;
-        }
-        if (!nearest.empty()) {
-            throw KeyError(nearest, fmt::format("{}: unknown key {}; did you mean \"{}\"?", place,
-                                                path, nearest));
-        }
-        throw InputError(fmt::format("{}: unknown key {}; `fumon describe {}` lists the known ones",
-                                     place, path, what_describes(path)));
-    }
-
-    /// Refuses a key of a list's item that is not there.
-    void refuse_missing_item(const std::string& path, const std::string& place) const {
-        for (const TableList& list : table_.lists()) {
-            if (!path.starts_with(list.path + ".")) continue;
-            std::size_t item = 0;
-            const char* end = path.data() + path.size();
-            const auto [stop, fault] =
-                std::from_chars(path.data() + list.path.size() + 1, end, item);
-            if (fault != std::errc{} || stop == end || *stop != '.' || item < list.size()) continue;
-            throw InputError(fmt::format(
-                "{}: there is no {}.{}: the scene has {} [[{}]], and they are counted from 0",
-                place, list.path, item, list.size() == 0 ? "no" : fmt::format("{}", list.size()),
-                without_numbers(list.path)));
-        }
-    }
-
-    /// What to ask `fumon describe` for: a key's own section where every scene has it.
-    [[nodiscard]] std::string what_describes(const std::string& path) const {
-        const std::string begin = path.substr(0, path.find('.') + 1);
-        Scene any;
-        const KeyTable common = scene_keys(any);
-        const bool of_all = begin.ends_with('.') && begin != "model." &&
-                            std::ranges::any_of(common.keys(), [&](const Key& key) {
-                                return key.path.starts_with(begin);
-                            });
-        if (of_all) return begin.substr(0, begin.size() - 1);
-        return has_model_ ? scene_.model.name : "scene";
-    }
-
-    [[nodiscard]] static std::string other_model_with(const std::string& path) {
-        for (const ModelEntry& entry : models()) {
-            std::any parameters = entry.default_parameters();
-            KeyTable table;
-            entry.list_keys(parameters, table);
-            if (table.find(path) != nullptr) return std::string(entry.name);
-        }
-        return {};
+        refuse_unknown_key(path, place, table_, has_model_ ? scene_.model.name : "");
     }
 
     Scene& scene_;

@@ -6,6 +6,7 @@
 #include "models/registry.h"
 #include "scene/figure/figure_keys.h"
 #include "scene/lives_in_metres.h"
+#include "scene/view/view_keys.h"
 
 namespace fumon {
 

@@ -9,7 +9,7 @@
 
 #include "base/data_files.h"
 #include "base/error.h"
-#include "scene/palette_names.h"
+#include "scene/view/palette_names.h"
 
 namespace fumon {
 

@@ -10,7 +10,7 @@ namespace fumon {
 using Palette = std::array<std::array<std::uint8_t, 3>, 256>;
 
 /// The palette of that name: assets/palettes/NAME.txt, 256 lines "red green blue" in 0 … 255.
-/// Throws InputError where there is none of that name (scene/palette_names.h), and one
+/// Throws InputError where there is none of that name (scene/view/palette_names.h), and one
 /// with file and line where its file is malformed.
 Palette read_palette(std::string_view name);
 

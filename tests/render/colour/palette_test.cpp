@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "render/colour/colouring.h"
-#include "scene/palette_names.h"
+#include "scene/view/palette_names.h"
 #include "support/view_beds.h"
 
 namespace fumon {

@@ -1,4 +1,4 @@
-#include "scene/palette_names.h"
+#include "scene/view/palette_names.h"
 
 #include <fmt/format.h>
 
