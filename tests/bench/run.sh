@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# tests/bench/run.sh [TARGET]: builds the benchmarks, runs every row that has a plain loop beside it, and prints a table: fumon on
-# all processors, the plain loop on one, their ratio. TARGET (plain, sse4, avx2, avx512, neon; default: the best that the
-# processor has) is what fumon's loops for vectors take; the plain loops are compiled for a processor that has no more. BUILD
-# (build/bench) is where it builds, FILTER (a regular expression) which benchmarks it runs.
+# tests/bench/run.sh MACHINE [TARGET]: builds the benchmarks, runs every row that has a plain loop beside it, and writes the rows into
+# results/MACHINE.csv and README.md's tables: fumon on all processors, the plain loop on one, their ratio. TARGET (plain, sse4,
+# avx2, avx512, neon; default: the best that the processor has) is what fumon's loops for vectors take; the plain loops are
+# compiled for a processor that has no more. BUILD (build/bench) is where it builds, FILTER (a regular expression) which
+# benchmarks it runs. Run it on a machine with nothing else to do.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${BUILD:-build/bench}
 filter=${FILTER:-.}
-target=${1:-}
+machine=${1:?"usage: tests/bench/run.sh MACHINE [TARGET], as in tests/bench/run.sh epyc-zen5-2-processors avx2"}
+target=${2:-}
 flags="-march=native"
 case $target in
     avx2) flags+=";-mno-avx512f" ;;
@@ -27,20 +29,23 @@ cmake --build "$build" --target "${benches[@]}" > /dev/null
 
 taken=$("$build/tests/bench/sand_bench" --benchmark_list_tests | sed -n 's/^vector target: //p')
 processor=$(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1)
-printf '%s, %d processors; vectors: %s; plain loops: g++ -O3 %s\n\n' "${processor:-$(uname -m)}" "$(nproc)" \
-    "$taken" "${flags//;/ }"
-printf '| row | fumon | plain | ratio |\n|---|---|---|---|\n'
-for bench in "${benches[@]}"; do
+rows=$(for bench in "${benches[@]}"; do
     "$build/tests/bench/$bench" --benchmark_filter="$filter" --benchmark_format=json 2> /dev/null | python3 -c '
-import json, sys
+import csv, json, sys
 text = sys.stdin.read()
+out = csv.writer(sys.stdout, lineterminator="\n")
+units = {"million_cell_steps_per_second": "M cell-steps/s", "million_node_steps_per_second": "M node-steps/s", "million_pixels_per_second": "M pixels/s"}
 for row in json.loads(text[text.index("{"):])["benchmarks"] if "{" in text else []:
     name = row["name"].removesuffix("/manual_time")
-    rate = row.get("million_cell_steps_per_second", row.get("million_node_steps_per_second", row.get("million_pixels_per_second")))
-    for key in sorted(row):
-        if key.startswith("ratio_to_"):
-            loop = key.removeprefix("ratio_to_")
-            label = name if loop == "plain" else name + ", " + loop.replace("_", " ")
-            print("| %s | %.3g | %.3g | %.1f |" % (label, rate, row[loop], row[key]))
-'
-done
+    for rate, unit in units.items():
+        for key in sorted(row if rate in row else []):
+            if key.startswith("ratio_to_"):
+                loop = key.removeprefix("ratio_to_")
+                label = name if loop == "plain" else name + ", " + loop.replace("_", " ")
+                out.writerow([sys.argv[1], label, unit, "%.3g" % row[rate], "%.3g" % row[loop], "%.1f" % row[key]])
+' "$taken"
+done)
+said="${processor:-$(uname -m)}, $(nproc) processors; plain loops: $(c++ --version | head -n 1) -O3 ${flags//;/ }; $(date -u +%F); $(git describe --always --dirty)"
+printf '%s\n' "$rows" | python3 tests/bench/table.py --add "tests/bench/results/$machine.csv" "$taken" "$said"
+python3 tests/bench/table.py
+printf '%s\n' "$rows"
