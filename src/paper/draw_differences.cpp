@@ -9,7 +9,7 @@
 #include "base/snapshot_lookup.h"
 #include "figure/panels/map_panel.h"
 #include "figure/words/words.h"
-#include "files/terrain/terrain_format.h"
+#include "paper/map_content.h"
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
 
@@ -143,16 +143,8 @@ std::vector<MadePanel> make_differences(const PanelSubject& subject, PanelTools&
             one.warnings.emplace_back("both are the same everywhere");
         WorldScale scale = picture.scale;
         if (scale.place) scale.place = subject.snapshots[k].scale.place;
-        for (TerrainBytes& file :
-             find_written_format("esri-ascii")->write({picture.values, picture.blank, scale}))
-            one.data.push_back({std::move(file.ending), std::move(file.bytes)});
-        auto content = std::make_unique<MapPanel>(std::move(picture), std::move(shown));
-        if (chart.share_colours) one.shared = {&content->colours(), &content->colour_bar(), values};
-        if (chart.share_axes && settings.axes) {
-            const std::string range = ground_range(settings, subject.snapshots[k]);
-            one.axes = {&content->x_axis(), &content->y_axis(), range, range};
-        }
-        one.content = std::move(content);
+        put_map(std::move(picture), std::move(shown), scale, values,
+                ground_range(settings, subject.snapshots[k]), settings, one);
         made.push_back(std::move(one));
     }
     return made;

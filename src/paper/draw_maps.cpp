@@ -14,8 +14,8 @@
 #include "figure/panels/hill_shading.h"
 #include "figure/panels/map_panel.h"
 #include "figure/words/words.h"
-#include "files/terrain/terrain_format.h"
 #include "measure/bed/crest_theory.h"
+#include "paper/map_content.h"
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
 #include "wind/crest_directions.h"
@@ -150,18 +150,9 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
                 phrase("contours every {} {}", fmt::format("{:g}", shown.contours->interval),
                        unit_word(height_unit(subject.first.scale.in_metres, INFINITY).symbol)));
         }
-        for (TerrainBytes& file : find_written_format("esri-ascii")
-                                      ->write({picture.values, picture.blank,
-                                               scale_of_values(picture, subject.snapshots[k])}))
-            one.data.push_back({std::move(file.ending), std::move(file.bytes)});
-        auto content = std::make_unique<MapPanel>(std::move(picture), std::move(shown));
-        if (settings.chart.share_colours)
-            one.shared = {&content->colours(), &content->colour_bar(), own};
-        if (settings.chart.share_axes && settings.axes) {
-            const std::string range = ground_range(settings, subject.snapshots[k]);
-            one.axes = {&content->x_axis(), &content->y_axis(), range, range};
-        }
-        one.content = std::move(content);
+        const WorldScale scale = scale_of_values(picture, subject.snapshots[k]);
+        put_map(std::move(picture), std::move(shown), scale, own,
+                ground_range(settings, subject.snapshots[k]), settings, one);
         made.push_back(std::move(one));
     }
     return made;

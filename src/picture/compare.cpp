@@ -174,12 +174,11 @@ std::string likeness_help() {
         "identical        every pixel is the same\n"
         "same to the eye  thumbnails within {} grey levels and every 8 x 8 tile's SSIM at least "
         "{},\n"
-        "                 as on another processor (0.001, 0.999), the sun 0.1 degrees on (0.4, "
-        "0.997)\n"
-        "close            within {} and at least {}, as one sample a pixel for four (0.3, 0.50),\n"
-        "                 young dunes a step later (0.9, 0.62)\n"
-        "different        all else, as the sun 1 degree on (4.5, 0.92), dunes moved by 2 % of a\n"
-        "                 wavelength (6.9, -0.38)\n",
+        "                 as on another processor (0.001, 0.999), the sun 0.1 degrees on (0.5, "
+        "0.992)\n"
+        "close            within {} and at least {}, as one sample a pixel for four (0.2, 0.48),\n"
+        "                 dunes a step later (1.7, 0.44)\n"
+        "different        all else, as the sun 1 degree on (6.0, 0.87), another seed (53, -0.73)\n",
         same_to_the_eye_limits.thumbnail, same_to_the_eye_limits.tile_ssim, close_limits.thumbnail,
         close_limits.tile_ssim);
 }

@@ -19,13 +19,6 @@ namespace {
 constexpr std::string_view svg_open = "<metadata><texts xmlns=\"urn:fumon:figure\">";
 constexpr std::string_view svg_close = "</texts></metadata>";
 
-std::string text_of(const FigureMetadata& metadata, std::string_view keyword) {
-    for (const auto& [key, text] : metadata) {
-        if (key == keyword) return text;
-    }
-    return "";
-}
-
 struct Escape {
     char character;
     std::string_view text;
@@ -96,12 +89,19 @@ FigureMetadata svg_texts(std::string_view svg, const std::string& name) {
 
 }  // namespace
 
+std::string metadata_text(const FigureMetadata& metadata, std::string_view keyword) {
+    for (const auto& [key, text] : metadata) {
+        if (key == keyword) return text;
+    }
+    return "";
+}
+
 std::string with_svg_metadata(const std::string& svg, const FigureMetadata& metadata) {
     const std::size_t root = svg.find("<svg ");
     const std::size_t end = root == std::string::npos ? root : svg.find('>', root);
     if (metadata.empty() || end == std::string::npos) return svg;
     std::string element = "\n";
-    if (const std::string title = text_of(metadata, "Title"); !title.empty())
+    if (const std::string title = metadata_text(metadata, "Title"); !title.empty())
         element += fmt::format("<title>{}</title>\n", to_xml(title));
     element += svg_open;
     for (const auto& [keyword, text] : metadata)

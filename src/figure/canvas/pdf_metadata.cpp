@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "figure/canvas/packed_text.h"
 #include "figure/canvas/pdf_strings.h"
+#include "figure/canvas/figure_metadata.h"
 #include "files/json_text.h"
 #include "picture/stills/xmp.h"
 
@@ -16,13 +17,6 @@ namespace {
 
 constexpr std::string_view pdf_entry = "/Keywords";
 constexpr std::string_view own_begin = "[[\"";
-
-std::string value_of(const FigureMetadata& metadata, std::string_view keyword) {
-    for (const auto& [key, text] : metadata) {
-        if (key == keyword) return text;
-    }
-    return "";
-}
 
 /// The string of an object "12 0 obj (…) endobj" that a value "12 0 R" stands for.
 std::string string_of_object(std::string_view value, std::string_view pdf) {
@@ -74,7 +68,7 @@ PdfMetadata pdf_metadata(const FigureMetadata& metadata) {
     try {
         std::string keywords = metadata.empty() ? "" : nlohmann::json(metadata).dump(-1, ' ', true);
         if (keywords.size() > longest) keywords = packed_text(keywords);
-        return {value_of(metadata, "Title"), value_of(metadata, "Software"), std::move(keywords)};
+        return {metadata_text(metadata, "Title"), metadata_text(metadata, "Software"), std::move(keywords)};
     } catch (const nlohmann::json::exception&) {
         throw Error("the metadata of a figure cannot stand in a PDF file: they are not UTF-8");
     }

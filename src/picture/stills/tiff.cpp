@@ -103,6 +103,15 @@ Tiff open_tiff(TiffMemory& memory, const char* mode) {
     throw InputError(fmt::format("{}: is a damaged TIFF file ({}); make it again", name, why));
 }
 
+/// Opens bytes to be read; throws InputError where they are damaged.
+Tiff open_tiff_of(std::string_view bytes, TiffMemory& memory, const std::string& name) {
+    memory.reading = true;
+    memory.read = bytes;
+    Tiff tiff = open_tiff(memory, "rm");
+    if (!tiff) refuse_damaged_tiff(name, memory);
+    return tiff;
+}
+
 /// Rows of channels, one after the other.
 struct Channels {
     int count = 3;
@@ -197,10 +206,7 @@ bool is_tiff(std::string_view bytes) {
 
 PictureText tiff_texts(std::string_view bytes, const std::string& name) {
     TiffMemory memory;
-    memory.reading = true;
-    memory.read = bytes;
-    const Tiff tiff = open_tiff(memory, "rm");
-    if (!tiff) refuse_damaged_tiff(name, memory);
+    const Tiff tiff = open_tiff_of(bytes, memory, name);
     std::uint32_t size = 0;
     const void* packet = nullptr;
     if (TIFFGetField(tiff.get(), TIFFTAG_XMLPACKET, &size, &packet) != 1) return {};
@@ -209,10 +215,7 @@ PictureText tiff_texts(std::string_view bytes, const std::string& name) {
 
 Image decode_tiff(std::string_view bytes, const std::string& name) {
     TiffMemory memory;
-    memory.reading = true;
-    memory.read = bytes;
-    const Tiff tiff = open_tiff(memory, "rm");
-    if (!tiff) refuse_damaged_tiff(name, memory);
+    const Tiff tiff = open_tiff_of(bytes, memory, name);
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::uint16_t colours = 0;
