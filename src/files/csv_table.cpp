@@ -255,9 +255,8 @@ std::string counted(std::size_t count, const char* noun) {
     reader.fail(counted(cells, "cell"), remedy);
 }
 
-void refuse_other_encodings(const TextSource& source) {
-    const bool wide = source.text.starts_with("\xFF\xFE") || source.text.starts_with("\xFE\xFF");
-    if (wide) source.fail(0, "the text is UTF-16", "save it as UTF-8");
+bool has_mark_of_utf16(std::string_view text) {
+    return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
 }
 
 }  // namespace
@@ -311,7 +310,9 @@ TableColumn even_column(const std::string& name, const std::string& text, std::s
 }
 
 Table parse_csv_table(const TextSource& source, const WantedHeader& wanted) {
-    refuse_other_encodings(source);
+    constexpr const char* utf16 = "the text is UTF-16";
+    constexpr const char* remedy = "save it as UTF-8";
+    if (has_mark_of_utf16(source.text)) source.fail(0, utf16, remedy);
     const char separator = separator_of(source);
     CsvReader reader(source, separator);
     DecimalSigns decimals(separator);
@@ -325,6 +326,7 @@ Table parse_csv_table(const TextSource& source, const WantedHeader& wanted) {
     };
     const std::vector<std::string> first = reader.names();
     if (first.empty()) reader.fail("there is no header line", wanted.help);
+    if (has_mark_of_utf16(first.front())) reader.fail(utf16, remedy);  // behind blank lines
     const bool is_data = are_numbers(first, separator != ',');
     if (is_data && wanted.by_position.size() != first.size()) {
         reader.fail(

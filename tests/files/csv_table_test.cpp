@@ -73,6 +73,7 @@ TEST(CsvTable, SaysWhatIsWrong) {
     EXPECT_EQ(refusal("x;y\n1,5;2\n1.5;2\n"),
               "points.csv:3: numbers have decimal commas and decimal points; write one of them");
     EXPECT_EQ(refusal("\xFF\xFEx\n"), "points.csv:1: the text is UTF-16; save it as UTF-8");
+    EXPECT_EQ(refusal("\n\xFE\xFF\n"), "points.csv:2: the text is UTF-16; save it as UTF-8");
     EXPECT_EQ(refusal("x\n\"1\n"), "points.csv:2: a quote has no end; close it");
 }
 
