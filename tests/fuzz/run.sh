@@ -10,7 +10,7 @@ shift
 build=$(realpath "${BUILD:-build/fuzz}")
 found=${FOUND:-$build/found}
 at_once=2
-slowest=10        # seconds of one input
+slowest=${SLOWEST:-10}  # seconds of one input, by the clock: a busy machine takes more
 most_memory=1024  # MB in all
 most_at_once=512  # MB of one allocation
 longest=1048576   # bytes of an input
