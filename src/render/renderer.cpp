@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "gl/functions.h"
+#include "render/frame/view_uniforms.h"
 #include "render/ready_picture.h"
 #include "render/renderer_parts.h"
 #include "render/view/shown_snapshot.h"
-#include "render/view_uniforms.h"
 #include "scene/placed_sun.h"
 
 namespace fumon {
@@ -80,11 +80,12 @@ LayeredImage Renderer::render_layers(const Snapshot& whole, bool places) {
                             : p.deep_picture(camera).take_channels();
     if (places) {
         const bool plain = !p.world && !p.open() && p.view.look.mode == ViewMode::scenic;
-        PlaceLayers layers(image.width, image.height,
-                           {picture.shown(), picture.framed,
-                            p.plain ? p.plain->ground_of(picture.framed) : picture.framed, camera,
-                            p.drawn_surface(picture), p.copies, p.world.has_value(), plain});
-        for (const Tile& tile : p.plan.tiles) p.draw_places(tile, camera, layers);
+        SurfacePositionLayers layers(
+            image.width, image.height,
+            {picture.shown(), picture.framed,
+             p.plain ? p.plain->ground_of(picture.framed) : picture.framed, camera,
+             p.drawn_surface(picture), p.copies, p.world.has_value(), plain});
+        for (const Tile& tile : p.plan.tiles) p.rasterise_positions(tile, camera, layers);
         for (ImageLayer& layer : layers.take()) image.layers.push_back(std::move(layer));
     }
     gl::check_errors("a picture's layers");

@@ -75,7 +75,7 @@ class Renderer {
 
     /// The same as radiances, of which 1 is near that of a white level plain in the sun: the
     /// channels R, G, B and, where the background is transparent, A, by which they are multiplied;
-    /// with `places` those of PlaceLayers too. Of a renderer of radiances.
+    /// with `places` those of SurfacePositionLayers too. Of a renderer of radiances.
     LayeredImage render_layers(const Snapshot& snapshot, bool places);
 
     /// The vertical exaggeration in use.

@@ -37,7 +37,7 @@ void Renderer::Parts::draw_block_sides(const Tile& tile, const Camera& camera) {
         gl.Scissor(part.x, lowest, part.width, part.height);
         gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
         gl.Clear(GL_COLOR_BUFFER_BIT);
-        terrain.colour_side(side, light, camera, placed);
+        terrain.shade_side(side, light, camera, placed);
         gl.Disable(GL_SCISSOR_TEST);
         std::vector<std::uint32_t>& colours = block_samples->colours_of_side(side);
         colours.resize(static_cast<std::size_t>(part.width) *

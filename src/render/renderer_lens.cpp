@@ -4,10 +4,10 @@
 
 #include "base/give_up.h"
 #include "gl/functions.h"
+#include "render/frame/view_uniforms.h"
 #include "render/renderer_parts.h"
 #include "render/view/drawn_height.h"
 #include "render/view/lens.h"
-#include "render/view_uniforms.h"
 
 namespace fumon {
 

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "gl/functions.h"
-#include "render/clouds.h"
+#include "render/frame/clouds.h"
+#include "render/frame/view_uniforms.h"
 #include "render/light/floor_map.h"
 #include "render/light/lighting.h"
 #include "render/light/view_light.h"
@@ -15,7 +16,6 @@
 #include "render/view/framing.h"
 #include "render/view/repeated_bed.h"
 #include "render/view/shown_snapshot.h"
-#include "render/view_uniforms.h"
 
 namespace fumon {
 
@@ -94,16 +94,6 @@ constexpr GLbitfield everything = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL
 
 }  // namespace
 
-gl::TextureLayout plain_layout(PixelKind kind) {
-    gl::TextureLayout layout = colour_layout(kind);
-    layout.filter = GL_NEAREST;
-    return layout;
-}
-
-SampleTargets::SampleTargets(const TilePlan& plan, Ground ground, bool surface)
-    : depths(plan.target_width, plan.target_height),
-      seen(plan.target_width, plan.target_height, seen_layout(ground, surface), &depths) {}
-
 Snapshot Renderer::Parts::shown_first(const Snapshot& first, const View& view) {
     std::optional<Snapshot> shown = shown_snapshot(first, view);
     return shown ? *std::move(shown) : first;
@@ -140,19 +130,20 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
               static_cast<int>(std::max(view.image.width, view.image.height) *
                                view.image.supersampling),
               fixed, mipmaps, kind),
-      terrain(view, block, fixed, shades_pixels(view, first)),
+      terrain(view, block, fixed, shades_water_by_pixel(view, first)),
       background(view, block, light, floor_of(view, first, block, refinement, pool), fixed, wanted),
       pixel_depths(depths_of_pixels(view, plan)),
       one_picture(limits.one_picture),
       later_pictures(!limits.one_picture) {
-    if (shades_pixels(view, first)) water_pixels.emplace(plan, fixed, kind, limits.pixels_alike);
+    if (shades_water_by_pixel(view, first))
+        water_pixels.emplace(plan, fixed, kind, limits.pixels_alike);
     if (plain) plain->stand_in(view.camera, *first_in_plain, block);
     if (view.look.ground == Ground::endless) {
         world.emplace(view, ground, first_ground(), refinement, origin, copies, fixed, mipmaps,
                       sees_in_buffer(view, plan));
         if (pixel_depths) {
             const Tile& tile = plan.tiles.front();
-            pixels.emplace(tile.width, tile.height, plain_layout(kind), &*pixel_depths);
+            pixels.emplace(tile.width, tile.height, nearest_layout(kind), &*pixel_depths);
         }
     }
     if (first.section)
@@ -167,7 +158,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
     gl::check_errors("the renderer's setup");
 }
 
-PlantGround Renderer::Parts::plant_ground(const Camera& camera) const {
+GroundTransform Renderer::Parts::plant_ground(const Camera& camera) const {
     if (world)
         return {world->clip_from_eye(camera),  true, world->curvature(), origin.place, copies,
                 world->eye_from_middle(camera)};
@@ -246,7 +237,8 @@ DeepPicture Renderer::Parts::deep_picture(const Camera& camera) {
     return picture;
 }
 
-void Renderer::Parts::draw_places(const Tile& tile, const Camera& camera, PlaceLayers& layers) {
+void Renderer::Parts::rasterise_positions(const Tile& tile, const Camera& camera,
+                                          SurfacePositionLayers& layers) {
     const Tile& largest = plan.tiles.front();
     if (!places) places.emplace(largest.width, largest.height);
     const int bottom = static_cast<int>(view.image.height) - tile.y - tile.height;
@@ -260,12 +252,13 @@ void Renderer::Parts::draw_places(const Tile& tile, const Camera& camera, PlaceL
     gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     gl.Clear(everything);
     if (world) {
-        world->draw_seen(camera, placed, false);
+        world->rasterise(camera, placed, false);
     } else {
-        terrain.draw_places(places->surface, places->sides, camera, placed);
+        terrain.rasterise_positions(places->surface, places->sides, camera, placed);
     }
-    if (plants) plants->draw_places(places->leaves, plant_ground(camera), camera, placed);
-    if (persons) persons->draw_places(places->persons, plant_ground(camera), camera, placed);
+    if (plants) plants->rasterise_positions(places->leaves, plant_ground(camera), camera, placed);
+    if (persons)
+        persons->rasterise_positions(places->persons, plant_ground(camera), camera, placed);
     std::vector<float> texels(4 * static_cast<std::size_t>(tile.width) *
                               static_cast<std::size_t>(tile.height));
     gl.ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_FLOAT, texels.data());
@@ -294,39 +287,48 @@ void Renderer::Parts::see_ground(const Tile& tile, const Camera& camera) {
     if (world && world->in_buffer()) {
         const glm::ivec2 picture(static_cast<int>(view.image.width),
                                  static_cast<int>(view.image.height));
-        world->see(camera, pixel_samples(tile, camera), target_corner(tile), plan.factor * picture,
-                   pool);
+        world->rasterise_buffer(camera, pixel_samples(tile, camera), target_corner(tile),
+                                plan.factor * picture, pool);
         if (packs_samples() && !streamers) return;
     }
     if (!sampled) sampled.emplace(plan, view.look.ground, water_pixels.has_value());
-    sampled->seen.bind();
+    sampled->visibility.bind();
     gl::functions().ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     gl::functions().Clear(everything);
     if (!world) {
-        terrain.draw_seen(camera, placed_samples(tile));
+        terrain.rasterise(camera, placed_samples(tile));
     } else if (world->in_buffer()) {
-        world->note_seen(camera, pixel_samples(tile, camera));
+        world->copy_visibility(camera, pixel_samples(tile, camera));
     } else {
-        world->draw_seen(camera, placed_samples(tile));
+        world->rasterise(camera, placed_samples(tile));
     }
 }
 
 void Renderer::Parts::see_streamers(const Tile& tile, const Camera& camera) {
     if (!streamers) return;
     const glm::ivec2 corner = first_sample(tile) - target_corner(tile);
-    streamers->draw(
-        sampled->seen.colour(), corner, plan.factor, tile, light, camera,
-        {plants ? &*plants : nullptr, persons ? &*persons : nullptr, plant_ground(camera)});
+    const GroundTransform standing_on = plant_ground(camera);
+    std::vector<StreamerLayer::Occluder> occluders;
+    if (plants)
+        occluders.emplace_back([&](const TileSamples& in_pixels) {
+            plants->rasterise_depths(standing_on, camera, in_pixels);
+        });
+    if (persons)
+        occluders.emplace_back([&](const TileSamples& in_pixels) {
+            persons->rasterise_depths(standing_on, camera, in_pixels);
+        });
+    streamers->draw(sampled->visibility.colour(), corner, plan.factor, tile, light, camera,
+                    occluders);
     if (plants) plants->set_streamers(&*streamers, corner, plan.factor);
     if (persons) persons->set_streamers(&*streamers, corner, plan.factor);
     world->set_streamers(&*streamers, corner);
 }
 
-void Renderer::Parts::colour_pixels(const PixelSamples& at, const Camera& camera) {
+void Renderer::Parts::shade_pixels(const PixelSamples& at, const Camera& camera) {
     pixels->bind();
     gl::functions().Clear(GL_COLOR_BUFFER_BIT);
     pixel_depths->set_stencils(at.columns, at.all_rows, world->kinds().numbers().data());
-    world->colour_pixels(at, shading, light, camera);
+    world->shade_pixels(at, shading, light, camera);
 }
 
 void Renderer::Parts::draw_packed_samples(const Tile& tile, const Camera& camera) {
@@ -334,10 +336,10 @@ void Renderer::Parts::draw_packed_samples(const Tile& tile, const Camera& camera
     const PixelSamples at = pixel_samples(tile, camera);
     see_ground(tile, camera);
     see_streamers(tile, camera);
-    const gl::Texture2D* seen = sampled ? &sampled->seen.colour() : nullptr;
-    colour_pixels(at, camera);
+    const gl::Texture2D* seen = sampled ? &sampled->visibility.colour() : nullptr;
+    shade_pixels(at, camera);
     packed->read_pixels(tile, at.first, world->kinds());
-    world->colour_packed(seen, *packed, shading, light, camera);
+    world->shade_packed_samples(seen, *packed, shading, light, camera);
 }
 
 void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
@@ -345,9 +347,9 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
     see_ground(tile, camera);
     see_streamers(tile, camera);
     if (!sampled->colours)
-        sampled->colours.emplace(plan.target_width, plan.target_height, plain_layout(kind),
+        sampled->colours.emplace(plan.target_width, plan.target_height, nearest_layout(kind),
                                  &sampled->depths);
-    const gl::RenderTarget& seen = sampled->seen;
+    const gl::RenderTarget& seen = sampled->visibility;
     const gl::RenderTarget& samples = *sampled->colours;
     const TileSamples placed = placed_samples(tile);
     const glm::ivec2 offset = pixel_offset(first_sample(tile) - target_corner(tile), plan.factor);
@@ -367,14 +369,14 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
     if (world) {
         if (pixels) {
             const PixelSamples at = pixel_samples(tile, camera);
-            colour_pixels(at, camera);
+            shade_pixels(at, camera);
             samples.bind();
-            world->spread_pixels(pixels->colour(), at);
+            world->upsample_pixels(pixels->colour(), at);
         }
-        world->colour_seen(seen.colour(), shading, light, camera);
+        world->shade_samples(seen.colour(), shading, light, camera);
     } else {
         const gl::Texture2D& colours = water_pixels ? water_pixels->colours() : shading.colours();
-        terrain.colour_seen(seen.colour(), colours, light, camera, placed, offset);
+        terrain.shade_samples(seen.colour(), colours, light, camera, placed, offset);
     }
     if (tracks)
         tracks->draw(seen.colour(), world ? &*world : nullptr, plant_ground(camera), shading, light,

@@ -10,25 +10,26 @@
 #include "gl/mipmaps.h"
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "render/air_layer.h"
-#include "render/background_layer.h"
-#include "render/bed_shading.h"
+#include "render/air/air_layer.h"
+#include "render/background/background_layer.h"
+#include "render/bed/bed_shading.h"
+#include "render/block/terrain_layer.h"
 #include "render/byte_picture.h"
-#include "render/lens_tone.h"
+#include "render/frame/sample_targets.h"
+#include "render/lens/lens_tone.h"
+#include "render/life/person_layer.h"
+#include "render/life/plant_layer.h"
+#include "render/life/track_layer.h"
 #include "render/light/light.h"
-#include "render/person_layer.h"
-#include "render/place_layers.h"
-#include "render/place_pass.h"
-#include "render/plant_layer.h"
+#include "render/position/surface_position_layers.h"
+#include "render/position/surface_position_pass.h"
 #include "render/ready_picture.h"
 #include "render/renderer.h"
 #include "render/samples/block_samples.h"
 #include "render/samples/deep_picture.h"
 #include "render/samples/gathered_light.h"
 #include "render/samples/packed_samples.h"
-#include "render/streamer_layer.h"
-#include "render/terrain_layer.h"
-#include "render/track_layer.h"
+#include "render/streamers/streamer_layer.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/drawn_origin.h"
@@ -36,22 +37,10 @@
 #include "render/view/lens.h"
 #include "render/view/plain_around.h"
 #include "render/view/tiles.h"
-#include "render/water_pixels.h"
-#include "render/world_layer.h"
+#include "render/water/water_pixels.h"
+#include "render/world/world_layer.h"
 
 namespace fumon {
-
-/// Of targets whose texels are looked up one by one.
-gl::TextureLayout plain_layout(PixelKind kind);
-
-/// What samples see, and their colours.
-struct SampleTargets {
-    SampleTargets(const TilePlan& plan, Ground ground, bool surface);
-
-    gl::DepthBuffer depths;
-    gl::RenderTarget seen;
-    std::optional<gl::RenderTarget> colours;  ///< none where pixels of endless ground have them
-};
 
 /// What a renderer keeps, and how it draws a tile with it.
 struct Renderer::Parts {
@@ -101,7 +90,7 @@ struct Renderer::Parts {
     /// Where the pixels of a tile of endless ground lie among samples.
     [[nodiscard]] PixelSamples pixel_samples(const Tile& tile, const Camera& camera) const;
     /// Colours pixels of endless ground that see one place each.
-    void colour_pixels(const PixelSamples& at, const Camera& camera);
+    void shade_pixels(const PixelSamples& at, const Camera& camera);
     /// What each sample of a tile sees; in a target, if others than the ground want to know.
     void see_ground(const Tile& tile, const Camera& camera);
     /// After see_ground(): what lies before it.
@@ -110,7 +99,7 @@ struct Renderer::Parts {
     void draw_samples(const Tile& tile, const Camera& camera);
     void draw_tile(const Tile& tile, const Camera& camera, Image& image);
     void draw_tile(const Tile& tile, const Camera& camera, DeepPicture& picture);
-    void draw_places(const Tile& tile, const Camera& camera, PlaceLayers& layers);
+    void rasterise_positions(const Tile& tile, const Camera& camera, SurfacePositionLayers& layers);
     [[nodiscard]] DeepPicture deep_picture(const Camera& camera);
     [[nodiscard]] RayGround ground_for_rays(const ReadyPicture& picture) const;
     /// Of the sun's disc, that the ground leaves to the camera.
@@ -132,7 +121,7 @@ struct Renderer::Parts {
     /// pictures and where the camera is the last one's.
     void draw_uncovered_background(const Tile& tile, const Camera& camera);
     [[nodiscard]] const gl::RenderTarget& surroundings();
-    [[nodiscard]] PlantGround plant_ground(const Camera& camera) const;
+    [[nodiscard]] GroundTransform plant_ground(const Camera& camera) const;
     [[nodiscard]] Field<float> drawn_surface(const ReadyPicture& picture) const;
     /// In block lengths: water over a bed of the snapshot, and the surface of both.
     [[nodiscard]] Field<float> drawn_depth(const DisplayWater& standing,
@@ -174,7 +163,7 @@ struct Renderer::Parts {
     std::optional<PersonLayer> persons;
     std::optional<TrackLayer> tracks;
     std::optional<StreamerLayer> streamers;
-    std::optional<PlacePass> places;
+    std::optional<SurfacePositionPass> places;
     std::optional<SampleTargets> sampled;
     std::optional<BlockSamples> block_samples;
     BlockColours block_colours;          // room for the next ones

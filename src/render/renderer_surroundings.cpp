@@ -15,7 +15,7 @@ const gl::RenderTarget& Renderer::Parts::surroundings() {
     if (!surroundings_target) {
         const gl::DepthBuffer* depths = pixel_depths ? &*pixel_depths : nullptr;
         surroundings_target.emplace(plan.tiles.front().width, plan.tiles.front().height,
-                                    plain_layout(kind), depths);
+                                    nearest_layout(kind), depths);
     }
     return *surroundings_target;
 }
