@@ -11,6 +11,8 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/bed/bed_shading.h"
+#include "render/frame/frame_targets.h"
+#include "render/frame/tile_frame.h"
 #include "render/frame/tile_samples.h"
 #include "render/ground/ground_fan.h"
 #include "render/ground/height_pyramid.h"
@@ -62,48 +64,45 @@ class WorldLayer {
         first_of_tile_ = first;
     }
 
+    /// Where a tile's pixels lie among its samples.
+    [[nodiscard]] PixelSamples pixel_samples(const TileFrame& tile) const;
+
     /// Finds what samples see without OpenGL, as GroundSamples do: of the pixels that may see
-    /// ground and of the samples beside them. Where pixels have several samples it tells also how
-    /// they are coloured. `in_picture`: the sample of the picture that is first
-    /// in the target, of so many.
-    void rasterise_buffer(const Camera& camera, const PixelSamples& at,
-                          const glm::ivec2& in_picture, const glm::ivec2& picture,
-                          WorkerPool& pool);
-    /// Notes that in the bound and cleared target as rasterise() would.
-    void copy_visibility(const Camera& camera, const PixelSamples& at) const;
+    /// ground and of the samples beside them. Where pixels have several samples it finds also how
+    /// they are shaded.
+    void rasterise_buffer(const TileFrame& tile);
+    /// Writes that into the bound and cleared target as rasterise() would.
+    void copy_visibility(const TileFrame& tile) const;
     [[nodiscard]] bool in_buffer() const { return seen_.has_value(); }
-    /// How pixels are coloured, after rasterise_buffer().
+    /// How pixels are shaded, after rasterise_buffer().
     [[nodiscard]] const PixelKinds& kinds() const { return seen_->kinds(); }
 
-    /// Notes in the bound target (four floats a sample, depths and stencils) how far from the eye
-    /// the ground is that each sample sees; colours are found later. `tell_far`: lengths on far
-    /// ground get a minus sign.
+    /// Writes into the bound target (four floats a sample, depths and stencils) how far from the
+    /// eye the ground is that each sample sees. `tell_far`: lengths on far ground get a minus sign.
     void rasterise(const Camera& camera, const TileSamples& tile, bool tell_far = true) const;
     /// See rows_of_ground(): of a picture of so many rows of pixels.
     [[nodiscard]] int rows_seen(const Camera& camera, int rows) const {
         return rows_of_ground(ground_->mesh.skyline, camera, rows);
     }
-    /// In what follows `seen` is what rasterise() left; not needed after rasterise_buffer().
+    /// In what follows `visibility` is what rasterise() left; not needed after rasterise_buffer().
     ///
-    /// GroundPrograms the pixels of the bound target, whose stencils are their kinds(), all of
-    /// whose samples see the same ground, after rasterise_buffer().
-    void shade_pixels(const PixelSamples& at, const BedShading& shading, const Light& light,
-                      const Camera& camera) const;
+    /// Shades, after rasterise_buffer(), the pixels all of whose samples see the same ground into
+    /// the target of pixels, whose stencils become their kinds().
+    void shade_pixels(const FrameTargets& targets, const BedShading& shading,
+                      const TileFrame& tile) const;
     /// Gives the samples of the bound target the colours of their pixels, and the stencil 0, but
     /// not where pixels are transparent.
-    void upsample_pixels(const gl::Texture2D& pixels, const PixelSamples& at) const;
-    /// GroundPrograms the samples of the bound target that have the stencils of rasterise().
-    void shade_samples(const gl::Texture2D& seen, const BedShading& shading, const Light& light,
-                       const Camera& camera) const;
-
-    /// GroundPrograms the samples of pixels that shade_pixels() has not coloured.
-    void shade_packed_samples(const gl::Texture2D* seen, PackedSamples& samples,
-                              const BedShading& shading, const Light& light,
-                              const Camera& camera) const;
+    void upsample_pixels(const gl::Texture2D& pixels, const TileFrame& tile) const;
+    /// Shades the samples of the bound target that have the stencils of rasterise().
+    void shade_samples(const gl::Texture2D& visibility, const BedShading& shading,
+                       const TileFrame& tile) const;
+    /// Shades the samples of the pixels that shade_pixels(), whose target is bound, has left.
+    void shade_packed_samples(const gl::Texture2D* visibility, PackedSamples& samples,
+                              const BedShading& shading, const TileFrame& tile) const;
 
     /// Sets what a program that includes world/world.glsl needs to colour samples, but not pixels.
-    void bind(const gl::Program& program, const gl::Texture2D* seen, const BedShading& shading,
-              const Light& light, const Camera& camera) const;
+    void bind(const gl::Program& program, const gl::Texture2D* visibility,
+              const BedShading& shading, const Light& light, const Camera& camera) const;
 
     /// World to clip coordinates of places as offsets from the eye, as rasterise() draws.
     [[nodiscard]] glm::mat4 clip_from_eye(const Camera& camera) const;
@@ -113,7 +112,15 @@ class WorldLayer {
     [[nodiscard]] glm::dvec2 eye_from_middle(const Camera& camera) const;
 
   private:
-    /// What colours near and far ground.
+    static constexpr int visibility_unit = 10;  // of textures
+    static constexpr GLint near_stencil = 1;
+    static constexpr GLint far_stencil = 2;
+    // Of ground that is true to nature: on none that falls less sand slid.
+    static constexpr double least_slip_slope = 0.3;
+    static constexpr glm::vec2 slip_size{12.0F, 36.0F};       // metres
+    static constexpr double wander_features_per_side = 64.0;  // of the texture
+
+    /// What shades near and far ground.
     struct GroundPrograms {
         explicit GroundPrograms(const gl::Constants& fixed);
 
@@ -135,7 +142,7 @@ class WorldLayer {
     [[nodiscard]] GroundFan fan_of(const Camera& camera, const HeightPyramid& heights) const;
     /// At the offsets' origin, with depths that hold the fan.
     [[nodiscard]] static Camera at_origin(const Camera& camera, const GroundFan& fan);
-    void bind_visibility(const gl::Program& program, const gl::Texture2D* seen) const;
+    void bind_visibility(const gl::Program& program, const gl::Texture2D* visibility) const;
     void bind_map_levels(const BedShading& shading, bool alone) const;
     void upload_mesh() const;
     [[nodiscard]] pixel_vectors::Bounds pixel_bounds(const Camera& camera) const;
