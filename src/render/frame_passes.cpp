@@ -12,8 +12,8 @@ namespace fumon {
 namespace {
 
 constexpr Targets nothing{};
-constexpr Targets of_picture{Target::sky_radiances, Target::bed_maps,  Target::bed_colours,
-                             Target::ground_mesh,   Target::instances, Target::sun_share};
+constexpr Targets of_picture{Target::light, Target::bed_maps, Target::bed_colours,
+                             Target::ground_mesh, Target::instances};
 
 /// Whether each pass reads only what a pass before it, or one of the picture's, writes.
 template <typename Drawing>
@@ -32,20 +32,20 @@ std::span<const Pass<PictureDrawing>> picture_passes() {
     using P = PictureDrawing;
     // clang-format off
     static constexpr std::array<Pass<P>, 13> passes{{
-        // name                          needed             reads                     writes            done by
-        {"upload bed maps",              &P::fresh,         nothing,                  {bed_maps},       &P::upload_bed_maps},
-        {"upload endless ground",        &P::fresh_world,   nothing,                  {bed_maps},       &P::upload_world_maps},
-        {"bind sky's radiances",         &P::always,        nothing,                  {sky_radiances},  &P::bind_sky},
-        {"shade bed",                    &P::fresh,         {bed_maps, sky_radiances},{bed_colours},    &P::shade_bed},
-        {"take endless ground's mesh",   &P::of_world,      nothing,                  {ground_mesh},    &P::take_world_mesh},
-        {"mesh block",                   &P::of_block,      {bed_maps},               {ground_mesh},    &P::mesh_block},
-        {"place plants",                 &P::fresh_plants,  nothing,                  {instances},      &P::place_plants},
-        {"place persons",                &P::fresh_persons, nothing,                  {instances},      &P::place_persons},
-        {"place prints",                 &P::fresh_tracks,  {bed_maps},               {instances},      &P::place_prints},
-        {"look through clouds at sun",   &P::always,        nothing,                  {sun_share},      &P::look_at_sun},
-        {"paint air",                    &P::with_air,      nothing,                  {instances},      &P::paint_air},
-        {"choose plants",                &P::with_plants,   {ground_mesh, instances}, {instances},      &P::choose_plants},
-        {"choose streamers",             &P::with_streamers,{ground_mesh},            {instances},      &P::choose_streamers},
+        // name                        needed              writes         done by                reads
+        {"upload bed maps",            &P::fresh,          {bed_maps},    &P::upload_bed_maps,   nothing},
+        {"upload endless ground",      &P::fresh_world,    {bed_maps},    &P::upload_world_maps, nothing},
+        {"bind sky's radiances",       &P::always,         {light},       &P::bind_sky,          nothing},
+        {"shade bed",                  &P::fresh,          {bed_colours}, &P::shade_bed,         {bed_maps, light}},
+        {"take endless ground's mesh", &P::of_world,       {ground_mesh}, &P::take_world_mesh,   nothing},
+        {"mesh block",                 &P::of_block,       {ground_mesh}, &P::mesh_block,        {bed_maps}},
+        {"place plants",               &P::fresh_plants,   {instances},   &P::place_plants,      nothing},
+        {"place persons",              &P::fresh_persons,  {instances},   &P::place_persons,     nothing},
+        {"place prints",               &P::fresh_tracks,   {instances},   &P::place_prints,      {bed_maps}},
+        {"look through clouds at sun", &P::always,         {light},       &P::look_at_sun,       nothing},
+        {"paint air",                  &P::with_air,       {instances},   &P::paint_air,         nothing},
+        {"choose plants",              &P::with_plants,    {instances},   &P::choose_plants,     {ground_mesh, instances}},
+        {"choose streamers",           &P::with_streamers, {instances},   &P::choose_streamers,  {ground_mesh}},
     }};
     // clang-format on
     static_assert(reads_what_is_written<P>(passes, nothing));
@@ -57,14 +57,14 @@ std::span<const Pass<TileDrawing>> block_passes() {
     using T = TileDrawing;
     // clang-format off
     static constexpr std::array<Pass<T>, 7> passes{{
-        // name                          needed             reads                                   writes                     done by
-        {"draw dry surface",             &T::dry,           {ground_mesh, bed_colours},             {coverage, picture},       &T::draw_dry_block},
-        {"rasterise water",              &T::wet,           {ground_mesh},                          {coverage},                &T::rasterise_water},
-        {"shade water",                  &T::wet,           {coverage, bed_maps},                   {water_colours},           &T::shade_water},
-        {"resolve water",                &T::wet,           {coverage, water_colours},              {coverage, picture},       &T::resolve_water},
-        {"background beside block",      &T::closed,        {coverage, sun_share},                  {background},              &T::draw_background_beside_block},
-        {"shade sides",                  &T::always,        {coverage, ground_mesh},                {side_colours},            &T::shade_sides},
-        {"composite",                    &T::always,        {coverage, side_colours, background},   {picture},                 &T::composite},
+        // name                     needed      writes               done by                           reads
+        {"draw dry surface",        &T::dry,    {coverage, picture}, &T::draw_dry_block,               {ground_mesh, bed_colours}},
+        {"rasterise water",         &T::wet,    {coverage},          &T::rasterise_water,              {ground_mesh}},
+        {"shade water",             &T::wet,    {water_colours},     &T::shade_water,                  {coverage, bed_maps, light}},
+        {"resolve water",           &T::wet,    {coverage, picture}, &T::resolve_water,                {coverage, water_colours}},
+        {"background beside block", &T::closed, {background},        &T::draw_background_beside_block, {coverage, light}},
+        {"shade sides",             &T::always, {side_colours},      &T::shade_sides,                  {coverage, ground_mesh, light}},
+        {"composite",               &T::always, {picture},           &T::composite,                    {coverage, side_colours, background}},
     }};
     // clang-format on
     static_assert(reads_what_is_written<T>(passes, of_picture));
@@ -76,31 +76,29 @@ std::span<const Pass<TileDrawing>> sample_passes() {
     using T = TileDrawing;
     // clang-format off
     static constexpr std::array<Pass<T>, 22> passes{{
-        // name                          needed             reads                                   writes                     done by
-        {"background",                   &T::behind_first,  {sun_share},                            {background},              &T::draw_background},
-        {"rasterise ground, vectors",    &T::in_buffer,     {ground_mesh},                          {visibility_buffer},       &T::rasterise_world_buffer},
-        {"clear visibility",             &T::in_target,     nothing,                                {visibility},              &T::clear_visibility},
-        {"copy visibility",              &T::copied,        {visibility_buffer},                    {visibility},              &T::copy_visibility},
-        {"rasterise ground, OpenGL",     &T::world_target,  {ground_mesh},                          {visibility},              &T::rasterise_world},
-        {"rasterise block, OpenGL",      &T::of_block,      {ground_mesh},                          {visibility},              &T::rasterise_block},
-        {"streamers",                    &T::streamed,      {visibility, instances},                {streamed_light},          &T::draw_streamers},
-        {"shade water",                  &T::water_pixels,  {visibility, bed_maps},                 {water_colours},           &T::shade_water_samples},
-        {"shade whole pixels",           &T::whole_pixels,  {visibility_buffer, bed_colours, streamed_light}, {pixel_colours}, &T::shade_world_pixels},
-        {"shade edges",                  &T::packed,        {visibility_buffer, visibility, pixel_colours, bed_colours, streamed_light},
-                                                                                                    {edge_colours},            &T::shade_world_edges},
-        {"clear samples",                &T::unpacked,      nothing,                                {sample_colours},          &T::clear_samples},
-        {"background behind samples",    &T::behind_lens,   {visibility, streamed_light, sun_share},{sample_colours},          &T::draw_background_behind_samples},
-        {"background behind air",        &T::behind_air,    {background},                           {sample_colours},          &T::draw_background_behind_air},
-        {"upsample whole pixels",        &T::upsampled,     {pixel_colours},                        {sample_colours},          &T::upsample_world_pixels},
-        {"shade ground",                 &T::world_samples, {visibility_buffer, visibility, bed_colours, streamed_light},
-                                                                                                    {sample_colours},          &T::shade_world},
-        {"shade block",                  &T::of_block,      {visibility, bed_colours, water_colours},{sample_colours},         &T::shade_block},
-        {"prints",                       &T::with_tracks,   {visibility, bed_maps, instances},      {sample_colours},          &T::draw_prints},
-        {"plants",                       &T::with_plants,   {bed_maps, instances, streamed_light},  {sample_colours},          &T::draw_plants},
-        {"persons",                      &T::with_persons,  {bed_maps, instances, streamed_light},  {sample_colours},          &T::draw_persons},
-        {"air",                          &T::with_air,      {instances},                            {sample_colours},          &T::draw_air},
-        {"background where ground ends", &T::behind_last,   {visibility_buffer, streamed_light, sun_share}, {background},      &T::draw_uncovered_background},
-        {"resolve",                      &T::always,        {sample_colours, pixel_colours, edge_colours, background}, {picture}, &T::resolve},
+        // name                          needed             writes               done by                             reads
+        {"background",                   &T::behind_first,  {background},        &T::draw_background,                {light}},
+        {"rasterise ground, vectors",    &T::in_buffer,     {visibility_buffer}, &T::rasterise_world_buffer,         {ground_mesh}},
+        {"clear visibility",             &T::in_target,     {visibility},        &T::clear_visibility,               nothing},
+        {"copy visibility",              &T::copied,        {visibility},        &T::copy_visibility,                {visibility_buffer}},
+        {"rasterise ground, OpenGL",     &T::world_target,  {visibility},        &T::rasterise_world,                {ground_mesh}},
+        {"rasterise block, OpenGL",      &T::of_block,      {visibility},        &T::rasterise_block,                {ground_mesh}},
+        {"streamers",                    &T::streamed,      {streamed_light},    &T::draw_streamers,                 {visibility, instances, light}},
+        {"shade water",                  &T::water_pixels,  {water_colours},     &T::shade_water_samples,            {visibility, bed_maps, light}},
+        {"shade whole pixels",           &T::whole_pixels,  {pixel_colours},     &T::shade_world_pixels,             {visibility_buffer, bed_maps, bed_colours, streamed_light, light}},
+        {"shade edges",                  &T::packed,        {edge_colours},      &T::shade_world_edges,              {visibility_buffer, visibility, pixel_colours, bed_maps, bed_colours, streamed_light, light}},
+        {"clear samples",                &T::unpacked,      {sample_colours},    &T::clear_samples,                  nothing},
+        {"background behind samples",    &T::behind_lens,   {sample_colours},    &T::draw_background_behind_samples, {visibility, streamed_light, light}},
+        {"background behind air",        &T::behind_air,    {sample_colours},    &T::draw_background_behind_air,     {background}},
+        {"upsample whole pixels",        &T::upsampled,     {sample_colours},    &T::upsample_world_pixels,          {pixel_colours}},
+        {"shade ground",                 &T::world_samples, {sample_colours},    &T::shade_world,                    {visibility_buffer, visibility, bed_maps, bed_colours, streamed_light, light}},
+        {"shade block",                  &T::of_block,      {sample_colours},    &T::shade_block,                    {visibility, ground_mesh, bed_colours, water_colours, light}},
+        {"prints",                       &T::with_tracks,   {sample_colours},    &T::draw_prints,                    {visibility_buffer, visibility, bed_maps, bed_colours, instances, streamed_light, light}},
+        {"plants",                       &T::with_plants,   {sample_colours},    &T::draw_plants,                    {bed_maps, instances, streamed_light, light}},
+        {"persons",                      &T::with_persons,  {sample_colours},    &T::draw_persons,                   {bed_maps, instances, streamed_light, light}},
+        {"air",                          &T::with_air,      {sample_colours},    &T::draw_air,                       {instances}},
+        {"background where ground ends", &T::behind_last,   {background},        &T::draw_uncovered_background,      {visibility_buffer, streamed_light, light}},
+        {"resolve",                      &T::always,        {picture},           &T::resolve,                        {sample_colours, pixel_colours, edge_colours, background}},
     }};
     // clang-format on
     static_assert(reads_what_is_written<T>(passes, of_picture));

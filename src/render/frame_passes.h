@@ -13,12 +13,11 @@ class TileDrawing;
 /// What passes hand to each other: targets of OpenGL, and what vector code leaves in memory.
 enum class Target : unsigned {
     // Of a picture.
-    sky_radiances,  ///< from all directions, a texture of the light of now
-    bed_maps,       ///< heights, light, values and marks over the bed
-    bed_colours,    ///< the bed as it is shaded, a texture over it
-    ground_mesh,    ///< triangles of the block, or of endless ground as the camera sees it
-    instances,      ///< plants, persons, prints and puffs, and the air's sheet and paths
-    sun_share,      ///< of the sun's disc, what the camera sees of it
+    light,        ///< the sky's radiances from all directions, and how much of the sun is seen
+    bed_maps,     ///< heights, light, values and marks over the bed
+    bed_colours,  ///< the bed as it is shaded, a texture over it
+    ground_mesh,  ///< triangles of the block, or of endless ground as the camera sees it
+    instances,    ///< plants, persons, prints and puffs, and the air's sheet and paths
     // Of a tile.
     visibility_buffer,  ///< what samples of endless ground see, in memory
     visibility,         ///< what samples see, with depths and stencils: FrameTargets
@@ -29,8 +28,8 @@ enum class Target : unsigned {
     edge_colours,       ///< of the samples of its other pixels, side by side: PackedSamples
     sample_colours,     ///< FrameTargets
     background,         ///< FrameTargets, and read from it
-    side_colours,       ///< of a block's sides by pixels
-    picture,            ///< its pixels
+    side_colours,  ///< of a block's sides by pixels, in the background's target once it is read
+    picture,       ///< its pixels
 };
 
 /// Some of them.
@@ -56,14 +55,14 @@ class Targets {
 };
 
 /// A line of a list: a pass, whether a picture or a tile needs it, and what it reads and writes. A
-/// tile's pass that uses a target that its line does not name fails (TileDrawing::use()).
+/// tile's pass that gets itself a target that its line does not name fails (TileDrawing::use()).
 template <typename Drawing>
 struct Pass {
     std::string_view name;
     bool (Drawing::*needed)() const;
-    Targets reads;
     Targets writes;
     void (Drawing::*draw)();
+    Targets reads;
 };
 
 /// Once a picture, before its tiles.

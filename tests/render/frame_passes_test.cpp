@@ -59,7 +59,7 @@ TEST(FramePasses, UseNoTargetThatTheirLineDoesNotName) {
     const auto draw = [&](const Targets& writes) {
         TileDrawing drawing(state, tile, camera, &image);
         const Pass<TileDrawing> pass{
-            "clear", &TileDrawing::always, {}, writes, &TileDrawing::clear_samples};
+            "clear", &TileDrawing::always, writes, &TileDrawing::clear_samples, {}};
         run(std::span(&pass, 1), drawing);
     };
     EXPECT_NO_THROW(draw({Target::sample_colours}));
