@@ -1,5 +1,5 @@
 #version 330 core
-uniform sampler2D seen;  // places, of block/terrain.vert.glsl
+uniform sampler2D visibility;  // places, of block/terrain.vert.glsl
 uniform sampler2D shaded;
 uniform sampler2D grain;
 uniform vec2 grain_scale;
@@ -10,7 +10,7 @@ uniform float linear_light;  // 1: the colours are radiances, not display values
 out vec4 colour;
 
 void main() {
-    vec2 place = texelFetch(seen, ivec2(gl_FragCoord.xy), 0).xy;
+    vec2 place = texelFetch(visibility, ivec2(gl_FragCoord.xy), 0).xy;
     vec2 grain_place = place * grain_scale;
     float speck = (sample_share == 1.0 ? texture(grain, grain_place) : texture(grain, grain_place, log2(sample_share))).r - 0.5;
     vec4 ground = sample_share == 1.0 ? texture(shaded, place) : texture(shaded, place, log2(sample_share));  // alpha: how much of the grain is seen

@@ -1,6 +1,6 @@
 #version 330 core
 // As block/terrain.frag.glsl, where a pixel's samples have its colour.
-uniform sampler2D shaded;  // pixels, of bed/water_pixels.frag.glsl
+uniform sampler2D shaded;  // pixels, of water/water_pixels.frag.glsl
 uniform float samples_along;      // samples along each side of a pixel
 uniform vec2 sample_offset;
 

@@ -8,13 +8,13 @@
 #include "bed/ground.glsl"
 #include "life/track.glsl"
 
-uniform sampler2D seen;        // places, of block/terrain.vert.glsl
+uniform sampler2D visibility;  // places, of block/terrain.vert.glsl
 uniform sampler2D height_map;
 
 out vec4 colour;
 
 void main() {
-    vec2 place = texelFetch(seen, ivec2(gl_FragCoord.xy), 0).xy;
+    vec2 place = texelFetch(visibility, ivec2(gl_FragCoord.xy), 0).xy;
     vec3 at = vec3((place - 0.5) * extent, textureLod(height_map, place, 0.0).r);
     vec3 to_eye = direction_to_eye(at);
     BedPoint point = bed_point(textureLod(lighting_map, place, 0.0));

@@ -6,7 +6,7 @@
 #include "common/oren_nayar.glsl"
 #include "bed/bed.glsl"
 #include "bed/ground.glsl"
-#include "world/world_place.glsl"
+#include "world/world_position.glsl"
 #include "world/world.glsl"
 #include "life/track.glsl"
 

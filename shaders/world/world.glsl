@@ -1,6 +1,6 @@
 // Sand to the horizon, shaded where the triangles said that it is: once a pixel where all its samples see the same
 // ground, else once a sample. Needs common/colour.glsl, common/light.glsl, common/noise.glsl, common/oren_nayar.glsl, bed/bed.glsl, bed/ground.glsl
-// and world/world_place.glsl before it.
+// and world/world_position.glsl before it.
 #include "world/far_copies.glsl"
 #include "streamers/streamers.glsl"
 uniform vec2 first_of_tile;    // the sample of its lower left pixel

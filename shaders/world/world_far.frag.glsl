@@ -8,7 +8,7 @@
 #include "bed/bed.glsl"
 #include "bed/ground.glsl"
 #include "world/rock.glsl"
-#include "world/world_place.glsl"
+#include "world/world_position.glsl"
 #include "world/world.glsl"
 
 vec4 far_colour(SeenPlace at) {

@@ -8,14 +8,14 @@
 #include "bed/bed.glsl"
 #include "bed/ground.glsl"
 #include "world/rock.glsl"
-#include "world/world_place.glsl"
+#include "world/world_position.glsl"
 #include "world/world.glsl"
 #include "world/slip_faces.glsl"
 
 uniform sampler2D wander_map;  // of world/ripple_wander.frag.glsl
 uniform float wander_scale;    // of its side, a ripple's length
 uniform float exaggeration;  // of heights
-uniform float none_slid;     // of ground that is true to nature: on none that falls less sand slid
+uniform float least_slip_slope;     // of ground that is true to nature: on none that falls less sand slid
 uniform float sliding_from;  // by its slope in the bed's maps: on none that is less steep
 uniform float ripple_phase;  // of the eye's place, in turns
 
@@ -185,7 +185,7 @@ vec4 near_colour(SeenPlace at) {
     // Wind that reaches a slope smooths it, but not at the angle of repose.
     float smoothed = smoothstep(0.0, 0.3, open) * (1.0 - smoothstep(0.54, 0.64, slope.steep));
     float true_size = 1.0 / exaggeration;
-    float slid = surface.g * smoothstep(sliding_from, 0.56, slope.steep * true_size) * smoothstep(none_slid, sliding_from, fall_at(at) * true_size) * sand.a * (1.0 - 0.85 * smoothed) * (1.0 - plain * rock);
+    float slid = surface.g * smoothstep(sliding_from, 0.56, slope.steep * true_size) * smoothstep(least_slip_slope, sliding_from, fall_at(at) * true_size) * sand.a * (1.0 - 0.85 * smoothed) * (1.0 - plain * rock);
     vec3 tongue = vec3(0.0);
     if (slid_sand > 0.5) tongue = slid * tongues(at, slope.across);
     Sand here = Sand(wander.height, phase, resolved, sand.a, open, tongue.xy + uneven.xy);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/image.h"
-#include "render/background_layer.h"
+#include "render/background/background_layer.h"
 #include "render/samples/packed_samples.h"
 #include "render/samples/sample_vectors.h"
 #include "render/view/tiles.h"

@@ -7,17 +7,16 @@
 #include "base/snapshot_lookup.h"
 #include "render/light/lighting.h"
 #include "render/light/sky_visibility.h"
-#include "render/renderer_parts.h"
+#include "render/renderer_state.h"
 #include "render/view/framing.h"
 #include "render/view/shown_snapshot.h"
 #include "render/view/sun_seen.h"
 
 namespace fumon {
 
-/// Reads nothing that drawing changes.
-std::shared_ptr<const LitBed> Renderer::Parts::lit_bed(const ReadyPicture& picture,
-                                                       const SunDirection& sun,
-                                                       WorkerPool& with) const {
+std::shared_ptr<const LitBed> RendererState::lit_bed(const ReadyPicture& picture,
+                                                     const SunDirection& sun,
+                                                     WorkerPool& with) const {
     const Snapshot& shown = picture.shown();
     auto lit = std::make_shared<LitBed>();
     lit->snapshot = picture.snapshot;
@@ -51,19 +50,18 @@ std::shared_ptr<const LitBed> Renderer::Parts::lit_bed(const ReadyPicture& pictu
     return lit;
 }
 
-/// Likewise.
-double Renderer::Parts::sun_share(const ReadyPicture& picture) const {
+double RendererState::sun_share(const ReadyPicture& picture) const {
     if (!atmosphere) return 1.0;
     return sun_share_seen(picture.pose.camera, glm::dvec3(direction_to(picture.pose.sun)),
                           ground_for_rays(picture),
                           world ? static_cast<double>(world->curvature()) : 0.0);
 }
 
-/// Likewise. Without a pose the camera is that of the snapshot's step.
-ReadyPicture Renderer::Parts::ready(std::shared_ptr<const Snapshot> snapshot,
-                                    const SunDirection& sun, const std::optional<FramePose>& pose,
-                                    const std::shared_ptr<const LitBed>& before,
-                                    WorkerPool& with) const {
+/// Without a pose the camera is that of the snapshot's step.
+ReadyPicture RendererState::ready(std::shared_ptr<const Snapshot> snapshot, const SunDirection& sun,
+                                  const std::optional<FramePose>& pose,
+                                  const std::shared_ptr<const LitBed>& before,
+                                  WorkerPool& with) const {
     ReadyPicture picture;
     picture.snapshot = std::move(snapshot);
     picture.reshaped = shown_snapshot(drawable(*picture.snapshot), view);

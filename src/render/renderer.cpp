@@ -5,185 +5,206 @@
 #include <optional>
 #include <utility>
 
+#include "base/give_up.h"
 #include "gl/functions.h"
+#include "render/frame/view_uniforms.h"
+#include "render/frame_passes.h"
+#include "render/picture_drawing.h"
 #include "render/ready_picture.h"
-#include "render/renderer_parts.h"
-#include "render/view/shown_snapshot.h"
-#include "render/view_uniforms.h"
+#include "render/renderer_state.h"
+#include "render/samples/deep_picture.h"
+#include "render/samples/gathered_light.h"
+#include "render/tile_drawing.h"
 #include "scene/placed_sun.h"
 
 namespace fumon {
+
+namespace {
+
+void draw_tile(RendererState& state, const Tile& tile, const Camera& camera,
+               TileDrawing::Output output) {
+    gl::functions().BindVertexArray(state.no_attributes.name());
+    TileDrawing drawing(state, tile, camera, output);
+    run(drawing.by_block_passes() ? block_passes() : sample_passes(), drawing);
+}
+
+Image blank_image(const RendererState& state) {
+    Image image(static_cast<int>(state.view.image.width),
+                static_cast<int>(state.view.image.height));
+    if (state.open()) image = with_alpha(std::move(image));
+    return image;
+}
+
+}  // namespace
 
 Renderer::Renderer(gl::Context& context, const View& view, const Snapshot& first,
                    std::int64_t last_step, WorkerPool& pool, const RenderLimits& limits,
                    PixelKind kind) {
     context.make_current();
-    parts_ = std::make_unique<Parts>(context, view, first, last_step, pool, limits, kind);
+    state_ = std::make_unique<RendererState>(context, view, first, last_step, pool, limits, kind);
 }
 
 Renderer::~Renderer() = default;
 
 double Renderer::exaggeration() const {
-    return parts_->block.exaggeration;
+    return state_->block.exaggeration;
 }
 
 void Renderer::keep_colours() {
-    parts_->shading.keep_range();
+    state_->shading.keep_range();
 }
 
 const DrawnColours& Renderer::drawn_colours() const {
-    return parts_->shading.range();
+    return state_->shading.range();
 }
 
 ReadyPicture Renderer::ready(std::shared_ptr<const Snapshot> snapshot, const FramePose& pose,
                              const std::shared_ptr<const LitBed>& before, WorkerPool& pool) const {
     SunSettings sun = pose.sun;
-    sun.diameter = parts_->view.sun.diameter;
+    sun.diameter = state_->view.sun.diameter;
     ReadyPicture picture =
-        parts_->ready(std::move(snapshot), sun_direction(sun), pose, before, pool);
-    picture.sun_share = parts_->sun_share(picture);
+        state_->ready(std::move(snapshot), sun_direction(sun), pose, before, pool);
+    picture.sun_share = state_->sun_share(picture);
     return picture;
 }
 
 ReadyPicture Renderer::ready_at_step(const Snapshot& snapshot) const {
     const std::shared_ptr<const Snapshot> lent(std::shared_ptr<const Snapshot>(), &snapshot);
-    const double share = share_of_run(snapshot.step, parts_->last_step);
-    const SunSettings sun = sun_at(parts_->view.sun, share);
+    const double share = share_of_run(snapshot.step, state_->last_step);
+    const SunSettings sun = sun_at(state_->view.sun, share);
     ReadyPicture picture =
-        parts_->ready(lent, sun_direction(sun), std::nullopt, nullptr, parts_->pool);
+        state_->ready(lent, sun_direction(sun), std::nullopt, nullptr, state_->pool);
     picture.pose.sun = sun;
     picture.pose.share = share;
-    picture.sun_share = parts_->sun_share(picture);
+    picture.sun_share = state_->sun_share(picture);
     return picture;
 }
 
 Image Renderer::render(const Snapshot& snapshot) {
     const ReadyPicture picture = ready_at_step(snapshot);
-    parts_->follow_sky(picture.pose);
+    prepare_sky(picture);
     prepare(picture);
-    parts_->uploaded.reset();  // no later picture is of this snapshot
+    state_->uploaded.reset();  // no later picture is of this snapshot
+    return draw(picture);
+}
+
+Image Renderer::render(const ReadyPicture& picture) {
+    state_->context.make_current();
+    state_->set_light(picture.pose);
+    state_->background.expect_other_cameras();
+    prepare(picture);
     return draw(picture);
 }
 
 LayeredImage Renderer::render_layers(const Snapshot& whole, bool places) {
-    Parts& p = *parts_;
     const ReadyPicture picture = ready_at_step(whole);
-    const Camera& camera = picture.pose.camera;
-    p.follow_sky(picture.pose);
+    prepare_sky(picture);
     prepare(picture);
-    p.uploaded.reset();
+    state_->uploaded.reset();
     LayeredImage image;
-    image.width = static_cast<int>(p.view.image.width);
-    image.height = static_cast<int>(p.view.image.height);
-    set_matrices(image, picture.framed, camera);
-    image.layers = p.lens() ? p.lens_channels(camera, picture.lens_points)
-                            : p.deep_picture(camera).take_channels();
+    image.width = static_cast<int>(state_->view.image.width);
+    image.height = static_cast<int>(state_->view.image.height);
+    set_matrices(image, picture.framed, picture.pose.camera);
+    image.layers = draw_radiances(picture);
     if (places) {
-        const bool plain = !p.world && !p.open() && p.view.look.mode == ViewMode::scenic;
-        PlaceLayers layers(image.width, image.height,
-                           {picture.shown(), picture.framed,
-                            p.plain ? p.plain->ground_of(picture.framed) : picture.framed, camera,
-                            p.drawn_surface(picture), p.copies, p.world.has_value(), plain});
-        for (const Tile& tile : p.plan.tiles) p.draw_places(tile, camera, layers);
-        for (ImageLayer& layer : layers.take()) image.layers.push_back(std::move(layer));
+        for (ImageLayer& layer : draw_positions(picture)) image.layers.push_back(std::move(layer));
     }
     gl::check_errors("a picture's layers");
     return image;
 }
 
-Image Renderer::render(const ReadyPicture& picture) {
-    Parts& p = *parts_;
-    p.context.make_current();
-    p.set_light(picture.pose);
-    p.surroundings_from.reset();
-    p.later_pictures = false;  // the camera moves
-    prepare(picture);
-    return draw(picture);
+void Renderer::prepare_sky(const ReadyPicture& picture) {
+    const View& view = state_->view;
+    if (view.sun.hours == 0.0 && view.air.cloud_drift == 0.0) return;
+    state_->context.make_current();
+    state_->set_light(picture.pose);
 }
 
 void Renderer::prepare(const ReadyPicture& picture) {
-    Parts& p = *parts_;
-    p.context.make_current();
-    const Snapshot& snapshot = picture.shown();
-    const LitBed& lit = *picture.lit;
-    const Camera& camera = picture.pose.camera;
-    std::optional<Snapshot> other;
-    if (picture.pose.reference)
-        other = Parts::shown_first(drawable(*picture.pose.reference), p.view);
-    if (other && p.plain) other = PlainAround(*other, p.pool).around(*other);
-    const Snapshot& reference = other ? *other : p.first_ground();
-    const bool uploaded = p.uploaded == picture.lit && !other;
-    p.uploaded = other ? nullptr : picture.lit;
-
-    p.light.metered = metered_exposure(p.view, p.light, picture.pose.metered.value_or(camera));
-    gl::functions().BindVertexArray(p.no_attributes.name());
-    if (p.world) {
-        if (!uploaded) {
-            p.shading.upload(picture.ground_shown(), reference, lit.light, p.origin);
-            p.world->set_bed(snapshot, lit.light, lit.heights);
-            if (p.plants && p.plain) {
-                // Those of the plain beyond the bed's tile are its tint alone.
-                const Field<float>& maps = lit.heights->finest();
-                Field<float> tile(maps.nx() / 2, maps.ny());
-                for (int y = 0; y < tile.ny(); ++y)
-                    std::copy_n(maps.row(y).begin(), tile.nx(), tile.row(y).begin());
-                p.plants->set_bed(p.plain->own_tile(*lit.in_plain), tile, false);
-            } else if (p.plants) {
-                p.plants->set_bed(snapshot, lit.heights->finest(), true);
-            }
-            if (p.persons) p.persons->set_bed(lit.heights->finest(), p.ground, true);
-            if (p.tracks)
-                p.tracks->set_bed(lit.heights->finest(), p.ground, true, p.plant_ground(camera),
-                                  nullptr);
-        }
-        p.sky.bind(sky_unit);
-        if (!uploaded) p.shading.shade(p.light, camera);
-        p.world->look_at(picture.ground);
-    } else {
-        p.shading.upload(snapshot, reference, lit.texels, lit.water ? &*lit.water : nullptr);
-        p.sky.bind(sky_unit);
-        p.shading.shade(p.light, camera);
-        std::optional<Field<float>> depth;
-        if (lit.water) depth = p.drawn_depth(*lit.water, snapshot);
-        const Field<float>* standing = depth ? &*depth : nullptr;
-        p.terrain.set_bed(lit.bed, standing, camera);
-        if (p.water_pixels && p.coloured_by_pixels(camera))
-            p.find_water_kinds(*lit.water, snapshot);
-        if (p.plants) p.plants->set_bed(snapshot, lit.bed.z, false);
-        if (p.persons) p.persons->set_bed(lit.bed.z, p.block, false);
-        if (p.tracks) p.tracks->set_bed(lit.bed.z, p.block, false, {}, standing);
-        const auto rise = static_cast<float>(p.block.height_scale / snapshot.scale.height_unit);
-        p.terrain.set_clarity(rise * static_cast<float>(p.shading.clarity()));
-    }
-    p.block_coloured = false;
-    p.see_sun(picture);
-    if (p.air && snapshot.section) p.air->set_air(snapshot, picture.framed, camera, p.pool);
-    if (p.plants) p.plants->choose(p.plant_ground(camera), camera);
-    if (p.streamers)
-        p.streamers->choose(*lit.blown, picture.pose.frame.value_or(snapshot.step),
-                            p.plant_ground(camera), camera);
+    state_->context.make_current();
+    PictureDrawing drawing(*state_, picture);
+    run(picture_passes(), drawing);
 }
 
 Image Renderer::draw(const ReadyPicture& picture) {
-    Parts& p = *parts_;
     const Camera& camera = picture.pose.camera;
-    const bool open = p.open();
-    if (p.lens()) {
-        Image image = p.lens_picture(camera, picture.lens_points);
-        gl::check_errors("a picture through a lens");
-        return image;
+    Image image;
+    if (state_->lens()) {
+        image = draw_through_lens(picture);
+    } else if (state_->kind == PixelKind::display_16) {
+        image = draw_deep(camera).display();
+    } else {
+        image = blank_image(*state_);
+        for (const Tile& tile : state_->plan.tiles) draw_tile(*state_, tile, camera, &image);
+        if (state_->open()) spread_colours(image);
     }
-    if (p.kind == PixelKind::display_16) {
-        Image image = p.deep_picture(camera).display();
-        gl::check_errors("a frame");
-        return image;
-    }
-    Image image(static_cast<int>(p.view.image.width), static_cast<int>(p.view.image.height));
-    if (open) image = with_alpha(std::move(image));
-    for (const Tile& tile : p.plan.tiles) p.draw_tile(tile, camera, image);
-    if (open) spread_colours(image);
     gl::check_errors("a frame");
     return image;
+}
+
+DeepPicture Renderer::draw_deep(const Camera& camera) {
+    DeepPicture picture(static_cast<int>(state_->view.image.width),
+                        static_cast<int>(state_->view.image.height), state_->kind, state_->open());
+    for (const Tile& tile : state_->plan.tiles) draw_tile(*state_, tile, camera, &picture);
+    return picture;
+}
+
+GatheredLight Renderer::gather_light(const Tile& tile, const ReadyPicture& picture) {
+    GatheredLight gathered(tile);
+    const glm::dvec2 pixel(2.0 / static_cast<double>(state_->view.image.width),
+                           2.0 / static_cast<double>(state_->view.image.height));
+    Camera through = picture.pose.camera;
+    for (const LensPoint& point : lens_points(picture.lens_points)) {
+        if (state_->one_picture) give_up_if_asked();
+        through.lens.point = picture.pose.camera.lens.radius * point.on_disc;
+        through.lens.aside = pixel * point.in_pixel;
+        draw_tile(*state_, tile, through, &gathered);
+    }
+    gathered.finish(state_->pool);
+    return gathered;
+}
+
+Image Renderer::draw_through_lens(const ReadyPicture& picture) {
+    RendererState& s = *state_;
+    Image image = blank_image(s);
+    const bool deep = s.wanted == PixelKind::display_16;
+    if (deep) image.rgb16.resize(image.rgb.size());
+    if (!s.lens_tone)
+        s.lens_tone.emplace(s.plan.tiles.front(),
+                            fixed_uniforms(s.view, s.light, s.ground, s.wanted), deep);
+    for (const Tile& tile : s.plan.tiles) {
+        const GatheredLight gathered = gather_light(tile, picture);
+        gl::functions().BindVertexArray(s.no_attributes.name());
+        s.lens_tone->put(gathered, s.view, s.light, picture.pose.camera, s.block, image);
+    }
+    if (s.open()) spread_colours(image);
+    return image;
+}
+
+std::vector<ImageLayer> Renderer::draw_radiances(const ReadyPicture& picture) {
+    if (!state_->lens()) return draw_deep(picture.pose.camera).take_channels();
+    DeepPicture gathered(static_cast<int>(state_->view.image.width),
+                         static_cast<int>(state_->view.image.height), state_->kind, state_->open());
+    for (const Tile& tile : state_->plan.tiles) gathered.put(gather_light(tile, picture));
+    return gathered.take_channels();
+}
+
+std::vector<ImageLayer> Renderer::draw_positions(const ReadyPicture& picture) {
+    RendererState& s = *state_;
+    const Camera& camera = picture.pose.camera;
+    const bool plain = !s.world && !s.open() && s.view.look.mode == ViewMode::scenic;
+    SurfacePositionLayers layers(
+        static_cast<int>(s.view.image.width), static_cast<int>(s.view.image.height),
+        {picture.shown(), picture.framed,
+         s.plain ? s.plain->ground_of(picture.framed) : picture.framed, camera,
+         s.drawn_surface(picture), s.copies, s.world.has_value(), plain});
+    if (!s.positions) s.positions.emplace(s.plan.tiles.front());
+    const SurfacePositionPass::Scene scene{
+        s.world ? &*s.world : nullptr, s.terrain, s.plants ? &*s.plants : nullptr,
+        s.persons ? &*s.persons : nullptr, s.ground_transform(camera)};
+    for (const Tile& tile : s.plan.tiles)
+        s.positions->draw({s.view, s.plan, tile, camera, s.light, s.pool}, scene, layers);
+    return layers.take();
 }
 
 }  // namespace fumon

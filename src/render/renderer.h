@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "base/image.h"
 #include "base/snapshot.h"
@@ -34,8 +35,12 @@ struct FramePose {
     std::optional<Camera> metered{};
 };
 
+class DeepPicture;
+class GatheredLight;
 struct LitBed;
 struct ReadyPicture;
+struct RendererState;
+struct Tile;
 
 /// How much is drawn at once.
 struct RenderLimits {
@@ -75,7 +80,7 @@ class Renderer {
 
     /// The same as radiances, of which 1 is near that of a white level plain in the sun: the
     /// channels R, G, B and, where the background is transparent, A, by which they are multiplied;
-    /// with `places` those of PlaceLayers too. Of a renderer of radiances.
+    /// with `places` those of SurfacePositionLayers too. Of a renderer of radiances.
     LayeredImage render_layers(const Snapshot& snapshot, bool places);
 
     /// The vertical exaggeration in use.
@@ -88,11 +93,21 @@ class Renderer {
 
   private:
     [[nodiscard]] ReadyPicture ready_at_step(const Snapshot& snapshot) const;
+    /// For a run during which the sun wanders or clouds drift.
+    void prepare_sky(const ReadyPicture& picture);
     void prepare(const ReadyPicture& picture);
     Image draw(const ReadyPicture& picture);
+    /// The same through the lens.
+    Image draw_through_lens(const ReadyPicture& picture);
+    [[nodiscard]] DeepPicture draw_deep(const Camera& camera);
+    [[nodiscard]] std::vector<ImageLayer> draw_radiances(const ReadyPicture& picture);
+    [[nodiscard]] std::vector<ImageLayer> draw_positions(const ReadyPicture& picture);
+    /// What a tile's pixels get of the light through some points of the lens. Only what depends on
+    /// the place of these in the picture is drawn anew for each: ground and light are the eye's, as
+    /// Cook, Carpenter & Catmull (1987) shade before they sample a lens.
+    [[nodiscard]] GatheredLight gather_light(const Tile& tile, const ReadyPicture& picture);
 
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    std::unique_ptr<RendererState> state_;
 };
 
 }  // namespace fumon

@@ -1,4 +1,4 @@
-#include "render/clouds.h"
+#include "render/frame/clouds.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "render/streamer_layer.h"
+#include "render/streamers/streamer_layer.h"
 
 #include <gtest/gtest.h>
 

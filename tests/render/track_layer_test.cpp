@@ -1,4 +1,4 @@
-#include "render/track_layer.h"
+#include "render/life/track_layer.h"
 
 #include <gtest/gtest.h>
 

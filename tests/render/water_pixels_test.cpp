@@ -1,4 +1,4 @@
-#include "render/water_pixels.h"
+#include "render/water/water_pixels.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ TEST(WaterPixels, NearGroundIsSharperThanATextureOverTheBed) {
     const double by_pixels = gradient_energy(picture(view, rained));
     view.camera.f_number = {"", 1e4};  // sharp everywhere, but through a lens
     view.camera.lens_samples = {"", 4};
-    EXPECT_FALSE(shades_pixels(view, rained));
+    EXPECT_FALSE(shades_water_by_pixel(view, rained));
     EXPECT_GT(by_pixels, 2.0 * gradient_energy(picture(view, rained)));
 }
 

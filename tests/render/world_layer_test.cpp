@@ -1,4 +1,4 @@
-#include "render/world_layer.h"
+#include "render/world/world_layer.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/snapshot_lookup.h"
-#include "render/plant_layer.h"
+#include "render/life/plant_layer.h"
 
 namespace fumon {
 

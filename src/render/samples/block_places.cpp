@@ -17,7 +17,8 @@ namespace {
 using place_vectors::Listed;
 using place_vectors::Rules;
 
-constexpr float halves_apart = 0.6F * 2.0F;  // see half_of_samples() in shaders/bed/water_seen.glsl
+constexpr float halves_apart =
+    0.6F * 2.0F;  // see half_of_samples() in shaders/water/water_visibility.glsl
 
 std::uint32_t square_of(std::uint32_t byte) {
     return byte * byte;

@@ -20,7 +20,7 @@ class PackedSamples {
     /// `factor`: samples along each side of a pixel.
     explicit PackedSamples(int factor);
 
-    /// Reads the bound target as WorldLayer::colour_pixels() left it, whose first pixel has the
+    /// Reads the bound target as WorldLayer::shade_pixels() left it, whose first pixel has the
     /// sample `first` at its lower left.
     void read_pixels(const Tile& tile, const glm::ivec2& first, const PixelKinds& kinds);
 

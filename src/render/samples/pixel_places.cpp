@@ -12,7 +12,7 @@ namespace {
 // See shaders/bed/water.glsl.
 constexpr double dry_share = 0.21;
 constexpr double film_share = 3.0;
-constexpr float over_samples = 1.2F;  // of level_over() in shaders/bed/water_seen.glsl
+constexpr float over_samples = 1.2F;  // of level_over() in shaders/water/water_visibility.glsl
 
 /// For each of `to` cells along an axis the first and the last of `from` finer ones that a look
 /// between it and its neighbours may meet.

@@ -14,7 +14,7 @@ namespace fumon {
 class WorkerPool;
 
 /// What samples see of endless ground, in memory that shaders read as it is
-/// (world/world_place.glsl).
+/// (world/world_position.glsl).
 class SeenBuffer {
   public:
     /// Whether OpenGL's buffers may be that large.

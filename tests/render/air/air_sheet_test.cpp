@@ -8,7 +8,7 @@
 
 #include "base/worker_pool.h"
 #include "gl/context.h"
-#include "render/air_layer.h"
+#include "render/air/air_layer.h"
 #include "render/renderer.h"
 #include "render/view/shown_snapshot.h"
 #include "support/drawn_picture.h"

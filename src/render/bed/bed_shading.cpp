@@ -1,0 +1,381 @@
+#include "render/bed/bed_shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/compensated_sum.h"
+#include "numerics/resampling.h"
+#include "render/colour/colouring.h"
+#include "render/colour/palette.h"
+#include "render/frame/view_uniforms.h"
+#include "render/view/repeated_bed.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr int enough_texels = 1024;  // along the longer side of the shaded bed, if it is small
+// Of ground under water: to a pixel at most so many, along the longer side, and in what is seen.
+constexpr double finest_shown = 1.0;
+constexpr double most_texels_across = 4096;
+constexpr double most_texels_seen = 2e6;
+constexpr int coarsest_seen = 3;  // mipmap: at an edge the samples' places are no neighbours
+constexpr int beyond_seen =
+    3 << coarsest_seen;                    // texels that the coarsest one at a border takes in
+constexpr double texels_per_sample = 1.3;  // beyond which mipmaps are needed against shimmer
+constexpr double natural_spread = 2.2;     // standard deviations from trough to crest, half of it
+constexpr double least_natural_range = 0.03;  // of the longer side: a nearly flat bed stays even
+
+const gl::TextureLayout lighting_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
+                                        GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
+const gl::TextureLayout value_layout{GL_R16,    GL_RED, GL_UNSIGNED_SHORT,
+                                     GL_LINEAR, 0,      GL_CLAMP_TO_EDGE};
+const gl::TextureLayout mark_layout{GL_R8,      GL_RED, GL_UNSIGNED_BYTE,
+                                    GL_NEAREST, 0,      GL_CLAMP_TO_EDGE};
+const gl::TextureLayout palette_layout{GL_RGB8,   GL_RGB, GL_UNSIGNED_BYTE,
+                                       GL_LINEAR, 0,      GL_CLAMP_TO_EDGE};
+
+/// Of a bed that is repeated, where it is endless; looked at by texels of the target alone.
+gl::TextureLayout tiled(gl::TextureLayout layout, Ground ground) {
+    if (ground == Ground::endless) layout.wrap = GL_REPEAT;
+    return layout;
+}
+
+/// The same with mipmaps.
+gl::TextureLayout repeated(gl::TextureLayout layout, Ground ground) {
+    if (ground == Ground::endless) {
+        layout.wrap = GL_REPEAT;
+        layout.minification = GL_LINEAR_MIPMAP_LINEAR;
+        layout.coarsest = gl::TextureLayout{}.coarsest;
+    }
+    return layout;
+}
+
+constexpr int coarsest_of_pixels = 3;  // mipmap: beyond it ground is seen too aslant to matter
+
+/// Of a bed that pixels look at from near and far.
+gl::TextureLayout lighting_layout_of(Ground ground, bool by_pixels) {
+    gl::TextureLayout layout = repeated(lighting_layout, ground);
+    if (by_pixels) {
+        layout.minification = GL_LINEAR_MIPMAP_NEAREST;
+        layout.coarsest = coarsest_of_pixels;
+    }
+    return layout;
+}
+
+/// With the sun's share, which is kept within `sun_bounds`, in 0 … 1.
+std::vector<std::uint16_t> with_clamped_sun(std::vector<std::uint16_t> texels) {
+    constexpr float scale = 65535.0F / (sun_bounds.highest - sun_bounds.lowest);
+    constexpr auto dark = static_cast<std::uint16_t>(-scale * sun_bounds.lowest + 0.5F);
+    constexpr auto lit = static_cast<std::uint16_t>(scale * (1.0F - sun_bounds.lowest) + 0.5F);
+    for (std::size_t i = 2; i < texels.size(); i += 4) texels[i] = std::clamp(texels[i], dark, lit);
+    return texels;
+}
+
+/// Plants and rock pass into sand, other marks end with their cell.
+gl::TextureLayout layout_of(const LookSettings& look) {
+    gl::TextureLayout layout = mark_layout;
+    if (look.mark != Marking::ground) return layout;
+    layout.filter = GL_LINEAR;
+    if (look.ground == Ground::endless) layout.wrap = GL_REPEAT;
+    return layout;
+}
+
+constexpr int noise_texels = 512;  // along the longer side: a dozen to the finest feature
+constexpr int most_noise_texels =
+    3072;  // the plain round a bed of three cells is twenty sides wide
+const gl::TextureLayout noise_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
+                                     GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
+/// Of ground that pixels look at one by one: llvmpipe looks up texels of four bytes in a shorter
+/// way.
+const gl::TextureLayout coarse_noise_layout{GL_RGBA8,  GL_RGBA, GL_UNSIGNED_BYTE,
+                                            GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
+
+/// The colours of endless ground are lit later: a byte's step of a dark one is two levels of the
+/// picture, and falls elsewhere on a bed that is shifted.
+gl::TextureLayout shaded_layout(Ground ground, bool mipmaps, PixelKind kind) {
+    gl::TextureLayout layout =
+        colour_layout(ground == Ground::endless ? PixelKind::display_16 : kind);
+    if (mipmaps) layout.minification = GL_LINEAR_MIPMAP_LINEAR;
+    layout.coarsest = coarsest_seen;
+    return layout;
+}
+
+/// Texels along the longer side: as the bed has, or more for a small bed in a large picture.
+int longer_shaded_side(const DisplayBed& bed, int samples_across) {
+    const int wanted =
+        std::min(enough_texels, static_cast<int>(texels_per_sample * samples_across));
+    return std::max({bed.z.nx(), bed.z.ny(), wanted});
+}
+
+int shaded_size(int count, const DisplayBed& bed, int samples_across) {
+    const long longer = std::max(bed.z.nx(), bed.z.ny());
+    return std::max(1, static_cast<int>(static_cast<long>(count) *
+                                        longer_shaded_side(bed, samples_across) / longer));
+}
+
+/// Where the maps have as many texels as the target they are looked up as they are.
+gl::Constants with_own_texels(gl::Constants fixed, const DisplayBed& bed, int samples_across) {
+    const bool own = shaded_size(bed.z.nx(), bed, samples_across) == bed.z.nx() &&
+                     shaded_size(bed.z.ny(), bed, samples_across) == bed.z.ny();
+    fixed.push_back({"own_texels", own ? 1.0F : 0.0F});
+    return fixed;
+}
+
+const char* shader_of(const LookSettings& look, const Snapshot& first) {
+    if (look.ground == Ground::endless) return "bed/shade_albedo.frag.glsl";
+    if (look.mode == ViewMode::figure) return "bed/shade_figure.frag.glsl";
+    return draws_water(look, first) ? "bed/shade_water.frag.glsl" : "bed/shade_scenic.frag.glsl";
+}
+
+/// 255 in the cells that get no palette place, 1 × 1 where all do.
+Field<std::uint8_t> uncoloured_texels(Colouring colour_by, const Snapshot& snapshot) {
+    if (!colours_water(colour_by)) return {1, 1, 0};
+    Field<std::uint8_t> texels = dry_cells(snapshot);
+    for (std::uint8_t& texel : texels.values()) texel = texel != 0 ? 255 : 0;
+    return texels;
+}
+
+/// The range of heights over which natural sand goes from trough to crest.
+std::pair<double, double> natural_range(const Snapshot& snapshot, const Block& block) {
+    CompensatedSum sum;
+    CompensatedSum squares;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < snapshot.bed.size(); ++i) {
+        if (!snapshot.nodata.empty() && snapshot.nodata.values()[i] != 0) continue;
+        const double height = snapshot.bed.values()[i] - block.reference;
+        sum.add(height);
+        squares.add(height * height);
+        ++count;
+    }
+    if (count == 0) return {0.0, 1.0};
+    const double mean = sum.value() / static_cast<double>(count);
+    const double spread =
+        std::sqrt(std::max(squares.value() / static_cast<double>(count) - mean * mean, 0.0));
+    const double half =
+        std::max(natural_spread * spread, 0.5 * least_natural_range / block.height_scale);
+    return {block.reference + mean - half, block.reference + mean + half};
+}
+
+/// Palette places up to which ground between dunes is bare floor, and from which it is sand alone:
+/// by the heights that a twentieth of the bed is below and above; and how far there is such ground
+/// at all, since a bed that is nearly flat is all alike.
+glm::vec3 floor_places(const Field<float>& values, std::pair<double, double> range) {
+    std::vector<float> sorted(values.values().begin(), values.values().end());
+    const auto at = [&](double share) {
+        const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size()));
+        std::nth_element(sorted.begin(), sorted.begin() + place, sorted.end());
+        return static_cast<double>(sorted[static_cast<std::size_t>(place)]);
+    };
+    const double low = (at(0.05) - range.first) / (range.second - range.first);
+    const double span = (at(0.95) - range.first) / (range.second - range.first) - low;
+    const double floors = std::clamp(5.0 * span - 0.5, 0.0, 1.0);
+    return {low + 0.02 * span, low + std::max(0.2 * span, 0.01), floors};
+}
+
+}  // namespace
+
+BedShading::BedShading(const View& view, const Block& block, const Snapshot& first,
+                       const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed,
+                       const gl::MipmapMaker& mipmaps, PixelKind kind)
+    : view_(view),
+      block_(block),
+      refinement_(first_bed.z.nx() / first.bed.nx()),
+      mipmaps_(mipmaps),
+      shaded_mipmaps_(view.look.ground == Ground::endless ||
+                      longer_shaded_side(first_bed, samples_across) >
+                          texels_per_sample * samples_across),
+      by_pixels_(shades_water_by_pixel(view, first)),
+      program_("common/screen.vert.glsl", shader_of(view.look, first), {},
+               with_own_texels(fixed, first_bed, samples_across)),
+      palette_(256, 1, palette_layout, chosen_palette(view.look).data()),
+      lighting_(first_bed.z.nx(), first_bed.z.ny(),
+                lighting_layout_of(view.look.ground, by_pixels_)),
+      values_(first_bed.z.nx(), first_bed.z.ny(), tiled(value_layout, view.look.ground)),
+      marks_(view.look.mark == Marking::none ? 1 : first.bed.nx(),
+             view.look.mark == Marking::none ? 1 : first.bed.ny(), layout_of(view.look)),
+      uncoloured_(colours_water(view.look.colour_by) ? first.bed.nx() : 1,
+                  colours_water(view.look.colour_by) ? first.bed.ny() : 1, mark_layout),
+      target_layout_(
+          repeated(shaded_layout(view.look.ground, shaded_mipmaps_, kind), view.look.ground)),
+      target_size_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
+                   shaded_size(first_bed.z.ny(), first_bed, samples_across)) {
+    if (!by_pixels_) target_.emplace(target_size_.x, target_size_.y, target_layout_);
+    if (view.look.mode == ViewMode::scenic) draw_noise();
+    if (draws_water(view.look, first))
+        water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny(), refinement_,
+                       by_pixels_ ? &mipmaps : nullptr);
+}
+
+void BedShading::draw_noise() {
+    const auto texels = [](double width) {
+        return std::clamp(static_cast<int>(noise_texels * width), 1, most_noise_texels);
+    };
+    noise_.emplace(texels(block_.width_x), texels(block_.width_y),
+                   tiled(by_pixels_ ? coarse_noise_layout : noise_layout, view_.look.ground));
+    const gl::Program program("common/screen.vert.glsl", "bed/ground_noise.frag.glsl");
+    const gl::VertexArray none;
+    gl::functions().BindVertexArray(none.name());
+    noise_->bind();
+    gl::functions().Disable(GL_DEPTH_TEST);
+    program.use();
+    program.set("extent", glm::vec2(block_.width_x, block_.width_y));
+    const bool endless = view_.look.ground == Ground::endless;
+    program.set("periodic", !endless ? 0 : view_.look.grain > 0.0 ? 1 : 2);
+    gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
+    gl::functions().BindVertexArray(0);
+}
+
+/// The values that colours stand for, which set the range of these.
+Field<float> BedShading::ranged_values(const Snapshot& snapshot, const Snapshot& first) {
+    const bool natural = view_.look.colour_by == Colouring::natural;
+    Field<float> values = coloured_values(view_.look.colour_by, snapshot, first);
+    if (natural) {
+        const auto [low, high] = natural_range(snapshot, block_);
+        range_ = {low, high};
+    } else {
+        range_ = drawn_colours(view_.look, snapshot, values, range_, keeps_range_);
+    }
+    const Mask without = uncoloured_cells(view_.look.colour_by, snapshot);
+    if (!without.empty()) continue_outward(values, without, static_cast<float>(range_.low));
+    return values;
+}
+
+void BedShading::upload_marks(const Snapshot& snapshot, const DrawnOrigin& origin) {
+    const auto upload = [&](gl::Texture2D& texture, const Field<std::uint8_t>& texels) {
+        texture.upload(rolled(texels, origin.east, origin.north).data());
+    };
+    upload(marks_, mark_texels(view_.look.mark, snapshot));
+    upload(uncoloured_, uncoloured_texels(view_.look.colour_by, snapshot));
+}
+
+void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
+                        const std::vector<std::uint16_t>& lighting, const DisplayWater* water) {
+    if (by_pixels_) {
+        // Means over several cells are of what each of them gets.
+        lighting_.upload(with_clamped_sun(lighting).data());
+        mipmaps_.make(lighting_);
+    }
+    lighting_.upload(lighting.data());
+    const Field<float> values = ranged_values(snapshot, first);
+    const Field<std::uint16_t> places =
+        palette_places(refined(values, refinement_), {range_.low, range_.high});
+    values_.upload(places.data());
+    upload_marks(snapshot, {});
+    if (water_) water_->upload(snapshot, first, *water, places);
+}
+
+void BedShading::upload(const Snapshot& snapshot, const Snapshot& first, const RepeatedLight& light,
+                        const DrawnOrigin& origin) {
+    noise_origin_ = origin.share;
+    // Means over several cells are of what each of them gets.
+    lighting_.upload(light.clamped.data());
+    mipmaps_.make(lighting_);
+    lighting_.upload(light.texels.data());
+    constexpr int margin = 2;  // cells that the refinement looks at
+    const Field<float> values = ranged_values(snapshot, first);
+    floor_places_ = floor_places(values, {range_.low, range_.high});
+    const Field<float> drawn = rolled(values, origin.east, origin.north);
+    const Field<float> wide = refined(with_margin(drawn, margin), refinement_);
+    values_.upload(
+        palette_places(without_margin(wide, margin * refinement_), {range_.low, range_.high})
+            .data());
+    upload_marks(snapshot, origin);
+}
+
+void BedShading::bind(const gl::Program& program) const {
+    lighting_.bind(0);
+    values_.bind(1);
+    palette_.bind(2);
+    marks_.bind(3);
+    uncoloured_.bind(4);
+    program.set("lighting_map", 0);
+    program.set("value_map", 1);
+    program.set("palette", 2);
+    program.set("mark_map", 3);
+    program.set("uncoloured_map", 4);
+    if (noise_) {
+        noise_->colour().bind(5);
+        program.set("noise_map", 5);
+        program.set("noise_origin", noise_origin_);
+    }
+    const bool wide = view_.look.ground == Ground::endless || water_;
+    program.set("sun_span", wide ? sun_bounds.highest - sun_bounds.lowest : 1.0F);
+    program.set("sun_lowest", wide ? sun_bounds.lowest : 0.0F);
+    program.set("shading", static_cast<float>(view_.look.shading));
+    program.set("tinted", colours_water(view_.look.colour_by) ? 0.0F : 1.0F);
+    program.set("extent", glm::vec2(block_.width_x, block_.width_y));
+    program.set("marks", mark_number(view_.look.mark));
+    program.set("natural", view_.look.colour_by == Colouring::natural ? 1.0F : 0.0F);
+    program.set("rock", static_cast<float>(block_.rock));
+    program.set("floor_values", floor_places_);
+    set_sand(program, view_.look);
+}
+
+void BedShading::bind_all(const gl::Program& program, const Light& light, const Camera& camera,
+                          double texel) const {
+    bind(program);
+    set_light(program, view_, light, camera, block_);
+    if (water_) water_->set_uniforms(program, 6, camera, texel);
+}
+
+/// Of ground under water, which has detail below the grid: as fine as the picture shows it.
+void BedShading::size_for(const SeenPart& part) {
+    const glm::dvec2 seen = glm::max(part.high - part.low, glm::dvec2(0.0));
+    const auto fits = [&](int doubled) {
+        const glm::ivec2 size = target_size_ * doubled;
+        const double longer = std::max(size.x, size.y);
+        return longer <= most_texels_across && longer <= finest_shown * part.sharpness &&
+               seen.x * seen.y * size.x * size.y <= most_texels_seen;
+    };
+    int factor = 1;
+    while (fits(2 * factor)) factor *= 2;
+    const glm::ivec2 size = target_size_ * factor;
+    if (target_->width() == size.x) return;
+    target_.reset();
+    lighting_.bind(0);  // a new texture takes the unit in use: not the sky's
+    target_.emplace(size.x, size.y, target_layout_);
+}
+
+void BedShading::shade(const Light& light, const Camera& camera) {
+    if (by_pixels_) {
+        lighting_.bind(0);  // new textures take the unit in use: not the sky's
+        return;
+    }
+    const gl::Functions& gl = gl::functions();
+    SeenPart part;
+    if (water_) {
+        part = seen_part(camera, view_, block_);
+        size_for(part);
+    }
+    target_->bind();
+    gl.Disable(GL_DEPTH_TEST);
+    program_.use();
+    bind_all(program_, light, camera, block_.width_x / target_->width());
+    if (water_) {
+        const glm::dvec2 size(target_->width(), target_->height());
+        const glm::ivec2 low = glm::ivec2(glm::floor(part.low * size)) - beyond_seen;
+        const glm::ivec2 high = glm::ivec2(glm::ceil(part.high * size)) + beyond_seen;
+        const glm::ivec2 extent = glm::max(high - low, 0);
+        gl.Enable(GL_SCISSOR_TEST);
+        gl.Scissor(low.x, low.y, extent.x, extent.y);
+    }
+    // Texels of the target are no larger than those of the maps, of which no means are looked at.
+    if (view_.look.ground == Ground::endless) lighting_.bind_level(0, 0);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    if (view_.look.ground == Ground::endless) lighting_.bind_all_levels(0);
+    gl.Disable(GL_SCISSOR_TEST);
+    if (shaded_mipmaps_) mipmaps_.make(target_->colour());
+}
+
+void BedShading::read(BlockColours& colours) const {
+    colours.width = target_->width();
+    colours.height = target_->height();
+    colours.texels.resize(static_cast<std::size_t>(colours.width) *
+                          static_cast<std::size_t>(colours.height));
+    target_->bind();
+    gl::functions().ReadPixels(0, 0, colours.width, colours.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                               colours.texels.data());
+}
+
+}  // namespace fumon

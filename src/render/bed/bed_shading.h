@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/snapshot.h"
+#include "gl/mipmaps.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "render/bed/water_shading.h"
+#include "render/colour/colouring.h"
+#include "render/colour/pixel_kind.h"
+#include "render/light/light.h"
+#include "render/light/repeated_light.h"
+#include "render/samples/block_samples.h"
+#include "render/view/block.h"
+#include "render/view/camera.h"
+#include "render/view/display_bed.h"
+#include "render/view/drawn_origin.h"
+#include "render/view/seen_part.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// The bed's colour as the eye sees it, as a texture over the bed: each place is shaded once, and
+/// the many samples of a picture only look it up.
+class BedShading {
+  public:
+    /// `samples_across` is the length of the picture's longer side in samples. `mipmaps` outlives
+    /// it. Throws InputError for an unknown palette.
+    BedShading(const View& view, const Block& block, const Snapshot& first,
+               const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed,
+               const gl::MipmapMaker& mipmaps, PixelKind kind = PixelKind::display_8);
+
+    /// Uploads what light (see lighting_texels) and colouring make of a snapshot. `water` is given
+    /// where draws_water says so.
+    void upload(const Snapshot& snapshot, const Snapshot& first,
+                const std::vector<std::uint16_t>& lighting, const DisplayWater* water);
+    /// The same for endless ground.
+    void upload(const Snapshot& snapshot, const Snapshot& first, const RepeatedLight& light,
+                const DrawnOrigin& origin);
+
+    /// Shades what was uploaded, unless that is left to WaterPixels.
+    void shade(const Light& light, const Camera& camera);
+
+    /// Binds what was uploaded to the units 0 to 4 and sets the uniforms of shaders/bed/bed.glsl
+    /// and shaders/bed/ground.glsl, of the program in use.
+    void bind(const gl::Program& program) const;
+    /// The same, the light of a view and, where there is water, its textures to the units 6 to 10.
+    /// `texel`: see WaterShading::set_uniforms().
+    void bind_all(const gl::Program& program, const Light& light, const Camera& camera,
+                  double texel) const;
+
+    /// The values at the palette's ends in what was shaded last.
+    [[nodiscard]] const DrawnColours& range() const { return range_; }
+    /// Keeps the range of the first snapshot whose values differ for all later ones, unless
+    /// look.range is "frame".
+    void keep_range() { keeps_range_ = true; }
+    /// The depth of water at which the bed is half hidden there, metres; 1 without water.
+    [[nodiscard]] double clarity() const { return water_ ? water_->clarity() : 1.0; }
+    [[nodiscard]] const gl::Texture2D& colours() const { return target_->colour(); }
+    [[nodiscard]] const gl::Texture2D& lighting() const { return lighting_; }
+    /// Reads them, of 8 bits.
+    void read(BlockColours& colours) const;
+    /// Cells of its maps, eastward and northward.
+    [[nodiscard]] glm::ivec2 cells() const { return {lighting_.width(), lighting_.height()}; }
+    [[nodiscard]] bool has_mipmaps() const { return shaded_mipmaps_; }
+
+  private:
+    void draw_noise();
+    void size_for(const SeenPart& part);
+    Field<float> ranged_values(const Snapshot& snapshot, const Snapshot& first);
+    void upload_marks(const Snapshot& snapshot, const DrawnOrigin& origin);
+
+    View view_;
+    Block block_;
+    int refinement_;
+    const gl::MipmapMaker& mipmaps_;
+    bool shaded_mipmaps_;
+    bool by_pixels_;  ///< see shades_water_by_pixel()
+    DrawnColours range_;
+    bool keeps_range_ = false;
+    glm::vec2 noise_origin_{0.0F};  ///< where the drawn bed begins
+    glm::vec3 floor_places_{0.0F};  ///< of palette places, of endless ground
+    gl::Program program_;
+    gl::Texture2D palette_;
+    gl::Texture2D lighting_;
+    gl::Texture2D values_;
+    gl::Texture2D marks_;
+    gl::Texture2D uncoloured_;
+    std::optional<gl::RenderTarget> noise_;  // of the ground's colour; none for a figure
+    std::optional<WaterShading> water_;
+    gl::TextureLayout target_layout_;
+    glm::ivec2 target_size_;  ///< at least
+    std::optional<gl::RenderTarget> target_;
+};
+
+}  // namespace fumon
