@@ -49,6 +49,12 @@ void check_angles(const DunesParameters& parameters) {
 
 void check_winds(const DunesParameters& parameters) {
     for (std::size_t n = 0; n < parameters.winds.size(); ++n) {
+        if (!parameters.winds[n].threshold_ratio.is_word() &&
+            parameters.speed_up != DuneSpeedUp::relief) {
+            throw KeyError(fmt::format("wind.{}.threshold_ratio", n),
+                           "only the shear stress over relief knows a threshold; write "
+                           "model.speed_up = \"relief\", or threshold_ratio = \"none\"");
+        }
         if (parameters.winds[n].table.empty()) continue;
         throw KeyError(fmt::format("wind.{}.table", n),
                        fmt::format("the winds of {} were not read", parameters.winds[n].table));

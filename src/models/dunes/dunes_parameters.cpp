@@ -33,6 +33,14 @@ void list_wind(DuneWind& wind, const std::string& path, KeyTable& table) {
     table.real(
         path + ".gust_duration", wind.gust_duration,
         {.unit = "yr", .range = {0, 1e6, true}, .help = "how long a gust lasts, in whole steps"});
+    table.word_or_real(
+        path + ".threshold_ratio", wind.threshold_ratio,
+        {{"none", "a wind far above the threshold: the drift follows the stress"}},
+        {.range = {1, 1e3, true},
+         .help = "its friction velocity over that at which sand begins to move, which "
+                 "slopes raise: near 1 relief counts for more and flat beds grow "
+                 "longer waves or none (Gadal et al. 2019); of speed_up = "
+                 "\"relief\""});
 }
 
 void list_feature(DuneFeature& feature, const std::string& path, KeyTable& table) {

@@ -27,7 +27,8 @@ struct DuneWind {
     std::string table{};         ///< a file; empty for a wind
     double gust_angle = 0.0;     ///< degrees: standard deviation of gusts' directions about `from`
     double gust_strength = 0.0;  ///< standard deviation of gusts' strengths, in parts of `strength`
-    double gust_duration = 0.01;  ///< years
+    double gust_duration = 0.01;              ///< years
+    WordOrReal threshold_ratio{"none", 0.0};  ///< u* / u*t
 
     friend bool operator==(const DuneWind&, const DuneWind&) = default;
 };

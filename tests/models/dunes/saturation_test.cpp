@@ -103,10 +103,10 @@ double wave_amplitude(const Dunes& model) {
 
 /// Of a wave along the wind, in cells of a 32nd of it or of a metre. Steps are the default ones, or
 /// for waves below 18 m, which run far in them, a sixth of these.
-double growth_of_wave(DunesParameters dunes, double wave) {
+double growth_of_wave(DunesParameters dunes, double wave, int finer = 0) {
     const double cell = std::min(1.0, wave / 32.0);
     const int nx = static_cast<int>(std::lround(wave / cell));
-    const int finer = wave < 18.0 ? 6 : 1;
+    if (finer == 0) finer = wave < 18.0 ? 6 : 1;
     if (finer > 1)
         dunes.time_step = 0.03 * cell * dunes.saturation_length.value / dunes.flux / finer;
     Grid bed(nx, 4);
@@ -163,6 +163,40 @@ TEST(DuneSaturation, TheGridDoesNotSetTheSaturationLength) {
         const double measured = std::log(wave_amplitude(model) / first) / (model.time() - then);
         EXPECT_NEAR(measured / growth_in_theory(dunes, 1.5, 32.0 * cell), 1.0, 0.03) << cell;
     }
+}
+
+/// Near the threshold of transport B is B − 1/(μ r²) and relief counts 1/(1 − 1/r²) times (Gadal et
+/// al. 2019), r = u*/u*t.
+TEST(DuneSaturation, NearTheThresholdFlatBedsAreMoreStable) {
+    for (const double ratio : {1.2, 1.5, 2.0, 5.0}) {
+        DunesParameters dunes;
+        dunes.saturation_length = 1.0;
+        dunes.slope_drift = 0.0;
+        DuneWind wind;
+        wind.threshold_ratio = ratio;
+        dunes.winds = {wind};
+        const double over = 1.0 / (1.0 - 1.0 / (ratio * ratio));
+        DunesParameters above = dunes;
+        above.shear_ahead = over * (dunes.shear_ahead - 1.0 / (0.63 * ratio * ratio));
+        above.shear_in_phase = over * dunes.shear_in_phase;
+        for (const double wave : {24.0, 40.0, 80.0}) {
+            const double theory = growth_in_theory(above, 1.0, wave);
+            const double fastest = growth_in_theory(above, 1.0, 40.0);
+            const int finer = ratio < 1.4 ? 24 : 6;  // these waves run faster
+            EXPECT_NEAR(growth_of_wave(dunes, wave, finer), theory, 0.03 * std::abs(fastest))
+                << ratio << ", " << wave;
+        }
+    }
+    WorkerPool pool(1);
+    DunesParameters dunes;
+    dunes.speed_up = DuneSpeedUp::none;
+    DuneWind wind;
+    wind.threshold_ratio = 2.0;
+    dunes.winds = {wind};
+    EXPECT_NE(message_of<KeyError>([&] {
+                  Dunes(dunes, box_of(Grid(20, 20, 1.0), pool, 1.0));
+              }).find("only the shear stress over relief knows a threshold"),
+              std::string::npos);
 }
 
 /// Sand blows in at the share of saturation that was asked for, whatever hops it comes in.
