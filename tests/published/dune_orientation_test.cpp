@@ -15,6 +15,7 @@
 #include "measure/bed/bed_statistics.h"
 #include "measure/bed/crest_orientation.h"
 #include "models/dunes/dunes.h"
+#include "models/dunes/saturation_hops.h"
 #include "wind/crest_directions.h"
 
 namespace fumon::test {
@@ -41,8 +42,9 @@ double flux_ratio_of_ridges() {
     for (int n = 0; n < 1500; ++n) dunes.step();
     const Grid ridges = heights_in_metres(dunes.bed());
     const BedStatistics heights = bed_statistics(ridges, {});
-    const double p = parameters.deposit_on_sand;
-    const double over_flat = parameters.flux * step * (1.0 - p) / parameters.hop_length;
+    const SaturationHops hops =
+        saturation_hops(parameters, {128, 24, 1.0, 1.0, true, true}, 1.0, 0.0);
+    const double over_flat = parameters.flux * step * hops.kept / hops.length;
     double sum = 0.0;
     double crests = 0.0;
     for (int y = 0; y < ridges.ny(); ++y) {

@@ -131,6 +131,52 @@ TEST(PublishedDunes, ABarchanHasNatureProportionsAlongTheGridAndAcross) {
     EXPECT_NEAR(across.speed / along.speed, 1.0, 0.05);
 }
 
+/// Growth by the linear theory at a wave number, 1/yr; see DuneSaturation.
+double linear_growth(const DunesParameters& of, double length, double k) {
+    const double lag = k * length;
+    return of.flux * k * k *
+           ((of.shear_ahead - of.shear_in_phase * lag) / (1.0 + lag * lag) - of.slope_drift);
+}
+
+/// Of a flat bed with noise of a millimetre, in which all waves are, those grow that theory says.
+TEST(PublishedDunes, AFlatBedTakesTheWavelengthOfTheLinearTheory) {
+    constexpr int nx = 1024;
+    constexpr double length = 1.3;
+    DunesParameters parameters;
+    parameters.saturation_length = length;
+    Grid bed(nx, 4);
+    for (int x = 0; x < nx; ++x) {
+        RandomStream stream(1, static_cast<std::uint32_t>(x), 0, Purpose::initial_bed);
+        const double height = 1.0 + 0.001 * stream.uniform();
+        for (int y = 0; y < 4; ++y) bed(x, y) = height;
+    }
+    WorkerPool pool;
+    Dunes dunes(parameters, {std::move(bed), {}, {1.0, 1.0, 1.0, true}, 1, pool});
+    while (dunes.time() < 1.6) dunes.step();
+    double power_sum = 0.0;
+    double k_sum = 0.0;
+    for (int m = 5; m < nx / 6; ++m) {
+        const double k = 2.0 * std::acos(-1.0) * m / nx;
+        double real = 0.0;
+        double imaginary = 0.0;
+        for (int x = 0; x < nx; ++x) {
+            real += to_metres(dunes.bed().surface(x, 1)) * std::cos(k * x);
+            imaginary += to_metres(dunes.bed().surface(x, 1)) * std::sin(k * x);
+        }
+        power_sum += real * real + imaginary * imaginary;
+        k_sum += k * (real * real + imaginary * imaginary);
+    }
+    double fastest = 0.1;
+    for (double k = 0.1; k < 0.5; k += 1e-4) {
+        if (linear_growth(parameters, length, k) > linear_growth(parameters, length, fastest))
+            fastest = k;
+    }
+    const double measured = 2.0 * std::acos(-1.0) * power_sum / k_sum;
+    const double theory = 2.0 * std::acos(-1.0) / fastest;
+    std::printf("    wavelength %.2f m, by linear theory %.2f m\n", measured, theory);
+    EXPECT_NEAR(measured / theory, 1.0, 0.05);
+}
+
 TEST(PublishedDunes, ALargeConeIsRound) {
     constexpr int side = 260;
     WorkerPool pool;
@@ -285,6 +331,7 @@ TEST(PublishedDunes, FiveWindsMakeAStar) {
     constexpr double cell = 2.0;
     DunesParameters parameters;
     parameters.slope_drift = 0.2;
+    parameters.time_step = 0.001;
     for (const double from : {270.0, 342.0, 54.0, 126.0, 198.0})
         parameters.winds.push_back({from, 1.0, 0.02});
     Grid heap(side, side);

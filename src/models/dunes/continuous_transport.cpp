@@ -43,6 +43,10 @@ std::array<std::int64_t, 9> pieces_of(std::int64_t amount, const HopSpread& alon
 }
 
 struct Spreads {
+    /// Of hops by so many cells along x and y.
+    Spreads(const SaturationHops& hops, double cells_x, double cells_y)
+        : along(cells_x, hops.spread_x), across(cells_y, hops.spread_y) {}
+
     HopSpread along;
     HopSpread across;
 };
@@ -61,33 +65,42 @@ ContinuousTransport::ContinuousTransport(const DunesParameters& parameters,
                                          WorkerPool& pool)
     : parameters_(parameters),
       ground_(ground),
-      layer_(units_per_metre * parameters.flux * time_step * parameters.deposit_on_sand /
-             parameters.hop_length),
+      drift_(units_per_metre * parameters.flux * time_step),
       pool_(pool),
       drift_x_(parameters.slope_drift * parameters.flux * time_step / (ground.dx * ground.dx)),
       drift_y_(parameters.slope_drift * parameters.flux * time_step / (ground.dy * ground.dy)),
       arrived_(ground.nx, ground.ny),
+      landed_(ground.nx, ground.ny),
       after_(ground.nx, ground.ny) {}
 
 void ContinuousTransport::step(DuneBed& bed, const Wind& wind) {
-    const double layer = layer_ * wind.blowing.strength;
+    hops_ = saturation_hops(parameters_, ground_, wind.blowing.x, wind.blowing.y);
+    const double layer = layer_of(wind.blowing);
     pool_.for_ranges(ground_.ny, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
             give_up_if_asked();
             lift(bed, wind, layer, y);
-            std::ranges::fill(arrived_.row(y), 0);
+            std::ranges::fill(landed_.row(y), 0);
         }
     });
-    hop(bed, wind);
-    blow_in(bed, wind.blowing);
-    pool_.for_ranges(ground_.ny, [&](int begin, int end) {
-        for (int y = begin; y < end; ++y) {
-            give_up_if_asked();
-            drift_down(bed, wind.blowing.strength, y);
-            deposit(bed, wind, y);
-        }
-    });
+    for (int move = 1; move <= hops_.moves; ++move) {
+        const bool last = move == hops_.moves;
+        std::ranges::fill(arrived_.values(), 0);
+        hop(bed, wind);
+        blow_in(bed, wind.blowing);
+        pool_.for_ranges(ground_.ny, [&](int begin, int end) {
+            for (int y = begin; y < end; ++y) {
+                give_up_if_asked();
+                if (last) drift_down(bed, wind.blowing.strength, y);
+                deposit(last ? after_ : bed.surface, bed, wind, y);
+            }
+        });
+    }
     std::swap(bed.surface, after_);
+}
+
+double ContinuousTransport::layer_of(const BlowingWind& wind) const {
+    return drift_ * (hops_.landing * parameters_.deposit_on_sand) / hops_.length * wind.strength;
 }
 
 double ContinuousTransport::lift_factor(const Wind& wind, int x, int y) {
@@ -119,8 +132,8 @@ void ContinuousTransport::lift(DuneBed& bed, const Wind& wind, double layer, int
 }
 
 void ContinuousTransport::hop(DuneBed& bed, const Wind& wind) {
-    const double cells_x = parameters_.hop_length * wind.blowing.x / ground_.dx;
-    const double cells_y = parameters_.hop_length * wind.blowing.y / ground_.dy;
+    const double cells_x = hops_.length * wind.blowing.x / ground_.dx;
+    const double cells_y = hops_.length * wind.blowing.y / ground_.dy;
     const Grid* walls = wind.before_walls;
     if (wind.along_walls != nullptr) {
         hop_along_walls(bed, wind);
@@ -130,12 +143,12 @@ void ContinuousTransport::hop(DuneBed& bed, const Wind& wind) {
         hop_all(
             bed,
             [&](int x, int y) {
-                const double reach = walls != nullptr ? (*walls)(x, y) * parameters_.hop_length
-                                                      : parameters_.hop_length;
-                return Spreads{HopSpread(reach * wind.bent->x(x, y) / ground_.dx),
-                               HopSpread(reach * wind.bent->y(x, y) / ground_.dy)};
+                const double reach =
+                    walls != nullptr ? (*walls)(x, y) * hops_.length : hops_.length;
+                return Spreads(hops_, reach * wind.bent->x(x, y) / ground_.dx,
+                               reach * wind.bent->y(x, y) / ground_.dy);
             },
-            parameters_.hop_length / ground_.dy);
+            hops_.length / ground_.dy);
         return;
     }
     if (parameters_.speed_up != DuneSpeedUp::height && walls != nullptr) {
@@ -143,13 +156,13 @@ void ContinuousTransport::hop(DuneBed& bed, const Wind& wind) {
             bed,
             [&](int x, int y) {
                 const double slowed = (*walls)(x, y);
-                return Spreads{HopSpread(slowed * cells_x), HopSpread(slowed * cells_y)};
+                return Spreads(hops_, slowed * cells_x, slowed * cells_y);
             },
             std::abs(cells_y));
         return;
     }
     if (parameters_.speed_up != DuneSpeedUp::height) {
-        const Spreads all{HopSpread(cells_x), HopSpread(cells_y)};
+        const Spreads all(hops_, cells_x, cells_y);
         hop_all(
             bed, [&](int, int) -> const Spreads& { return all; }, std::abs(cells_y));
         return;
@@ -163,7 +176,7 @@ void ContinuousTransport::hop(DuneBed& bed, const Wind& wind) {
         [&](int x, int y) {
             double factor = hop_factor(parameters_, to_metres(bed.surface(x, y)) - mean);
             if (walls != nullptr) factor *= (*walls)(x, y);
-            return Spreads{HopSpread(factor * cells_x), HopSpread(factor * cells_y)};
+            return Spreads(hops_, factor * cells_x, factor * cells_y);
         },
         most * std::abs(cells_y));
 }
@@ -180,16 +193,16 @@ void ContinuousTransport::hop_along_walls(DuneBed& bed, const Wind& wind) {
     hop_all(
         bed,
         [&](int x, int y) {
-            double reach = parameters_.hop_length;
+            double reach = hops_.length;
             if (by_height) reach *= hop_factor(parameters_, to_metres(bed.surface(x, y)) - mean);
             const double ahead = reach * (*wind.before_walls)(x, y);
             const double aside = reach * (*wind.along_walls)(x, y);
             const double to_x = wind.bent != nullptr ? wind.bent->x(x, y) : wind.blowing.x;
             const double to_y = wind.bent != nullptr ? wind.bent->y(x, y) : wind.blowing.y;
-            return Spreads{HopSpread((ahead * to_x - aside * wind.blowing.y) / ground_.dx),
-                           HopSpread((ahead * to_y + aside * wind.blowing.x) / ground_.dy)};
+            return Spreads(hops_, (ahead * to_x - aside * wind.blowing.y) / ground_.dx,
+                           (ahead * to_y + aside * wind.blowing.x) / ground_.dy);
         },
-        2.0 * most * parameters_.hop_length / ground_.dy);
+        2.0 * most * hops_.length / ground_.dy);
 }
 
 /// Rows are hopped from in blocks, first every other one, then those between, so that no two
@@ -258,11 +271,14 @@ std::int64_t ContinuousTransport::hop_rows(const DuneBed& bed, const Spread& spr
 
 /// Sand that hops in from beyond open edges.
 void ContinuousTransport::blow_in(DuneBed& bed, const BlowingWind& wind) {
-    const auto amount = static_cast<std::int64_t>(layer_ * wind.strength * parameters_.influx /
-                                                  parameters_.deposit_on_sand);
+    const auto amount =
+        static_cast<std::int64_t>(layer_of(wind) * parameters_.influx /
+                                  (hops_.landing * parameters_.deposit_on_sand) / hops_.moves);
     if (amount == 0 || (ground_.periodic_x && ground_.periodic_y)) return;
-    const HopSpread along(parameters_.hop_length * wind.x / ground_.dx);
-    const HopSpread across(parameters_.hop_length * wind.y / ground_.dy);
+    const Spreads spreads(hops_, hops_.length * wind.x / ground_.dx,
+                          hops_.length * wind.y / ground_.dy);
+    const HopSpread& along = spreads.along;
+    const HopSpread& across = spreads.across;
     const auto pieces = pieces_of(amount, along, across);
     const auto reach = [](const HopSpread& spread) {
         return std::max(std::abs(spread.first), std::abs(spread.first + 2));
@@ -324,9 +340,10 @@ void ContinuousTransport::drift_down(const DuneBed& bed, double strength, int y)
     }
 }
 
-void ContinuousTransport::deposit(DuneBed& bed, const Wind& wind, int y) {
+void ContinuousTransport::deposit(WholeGrid& on, DuneBed& bed, const Wind& wind, int y) {
     constexpr double thickness = full_cover * units_per_metre;
-    const auto surface = after_.row(y);
+    const auto surface = on.row(y);
+    const auto landed = landed_.row(y);
     const auto rock = bed.rock.row(y);
     const auto moving = bed.moving.row(y);
     const auto arrived = arrived_.row(y);
@@ -348,9 +365,11 @@ void ContinuousTransport::deposit(DuneBed& bed, const Wind& wind, int y) {
                 share = std::max(share, 1.0 - std::abs(wind.before_walls->row(y)[x]));
             share = std::max(shaded[x], share);
         }
+        share *= hops_.landing;
         const auto stays = static_cast<std::int64_t>(share * static_cast<double>(arrived[x]));
         surface[x] += stays;
         moving[x] = arrived[x] - stays;
+        landed[x] += arrived[x];
     }
 }
 

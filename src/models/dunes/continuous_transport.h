@@ -5,6 +5,7 @@
 #include "base/grid.h"
 #include "models/dunes/dune_bed.h"
 #include "models/dunes/dunes_parameters.h"
+#include "models/dunes/saturation_hops.h"
 #include "models/dunes/wind_bend.h"
 #include "models/dunes/wind_shadow.h"
 #include "models/dunes/wind_turns.h"
@@ -19,11 +20,14 @@ class WorkerPool;
 ///
 ///     e = min(e0 f (1 − r), sand there)
 ///
-/// to the air, all sand in the air hops by L along the wind, spread over 3 × 3 cells (HopSpread),
-/// and of what arrives in a cell the share max(r, p) stays there, the rest hops again in the next
-/// step. r is the wind shadow (0 … 1), p that of sand or of rock, blended where rock has a thin
-/// cover, f the lift's factor. Over flat sand the drift is saturated at e0 L / p a step, and it
-/// follows a change of f over the length L / p: ∂q/∂x = (q_sat − q) p / L.
+/// to the air. Then all sand in the air moves a few times by L along the wind, spread over 3 × 3
+/// cells (HopSpread), and of what arrives in a cell the share s ends its hop there, of which
+/// max(r, p) stays; the rest moves on. r is the wind shadow (0 … 1), p that of sand or of rock,
+/// blended where rock has a thin cover, f the lift's factor. Over flat sand the drift is saturated
+/// at e0 L / (s p) a step, and it follows a change of f by ∂q/∂x = (q_sat − q) / ℓ with ℓ =
+/// model.saturation_length, from which L and s follow (SaturationHops). With
+/// model.saturation_length = "hops" there is one move a step, s is 1 and L model.hop_length: the
+/// number of hops is then geometric and the drift follows over L (2 − p) / (2 p), in parts of L.
 ///
 /// Grains that hop over a slope also drift down it: a cell gives to each neighbour on the same
 /// surface that is lower by d over a distance dx the share c q0 Δt / dx² of d, where q0 is the
@@ -60,14 +64,17 @@ class ContinuousTransport {
 
     void step(DuneBed& bed, const Wind& wind);
 
-    /// What came down in each cell in the last step.
-    [[nodiscard]] const WholeGrid& landed() const { return arrived_; }
+    /// What came down in each cell in the last step, and the part of it that ended a hop there.
+    [[nodiscard]] const WholeGrid& landed() const { return landed_; }
+    [[nodiscard]] double ended() const { return hops_.ends; }
 
     /// f (1 − r) in a cell: what the wind lifts of loose sand, in parts of what it would from flat
     /// ground.
     static double lift_factor(const Wind& wind, int x, int y);
 
   private:
+    /// e0, units
+    [[nodiscard]] double layer_of(const BlowingWind& wind) const;
     void lift(DuneBed& bed, const Wind& wind, double layer, int y) const;
     void hop(DuneBed& bed, const Wind& wind);
     void hop_along_walls(DuneBed& bed, const Wind& wind);
@@ -76,7 +83,7 @@ class ContinuousTransport {
     template <class Spread>
     void hop_all(DuneBed& bed, const Spread& spread, double reach_y);
     void blow_in(DuneBed& bed, const BlowingWind& wind);
-    void deposit(DuneBed& bed, const Wind& wind, int y);
+    void deposit(WholeGrid& on, DuneBed& bed, const Wind& wind, int y);
     void drift_down(const DuneBed& bed, double strength, int y);
 
     /// Where a cell number along an axis lies in the grid; −1 beyond an open edge.
@@ -92,12 +99,14 @@ class ContinuousTransport {
 
     DunesParameters parameters_;
     DuneGround ground_;
-    double layer_;  ///< e0 of a wind of strength 1, units
+    double drift_;         ///< saturated, of a step of a wind of strength 1, units times metres
+    SaturationHops hops_;  ///< of the step
     WorkerPool& pool_;
     double drift_x_;  ///< c q0 Δt / dx² of a wind of strength 1
     double drift_y_;
-    WholeGrid arrived_;
-    WholeGrid after_;  ///< the surface after the step
+    WholeGrid arrived_;  ///< in the last move
+    WholeGrid landed_;   ///< in all moves of the step
+    WholeGrid after_;    ///< the surface after the step
 };
 
 /// How much further than over the mean surface hops reach at a height so many metres above it.

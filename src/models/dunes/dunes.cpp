@@ -12,6 +12,7 @@
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "models/dunes/ground_features.h"
+#include "models/dunes/saturation_hops.h"
 
 namespace fumon {
 
@@ -48,6 +49,12 @@ void check_angles(const DunesParameters& parameters) {
 
 void check_winds(const DunesParameters& parameters) {
     for (std::size_t n = 0; n < parameters.winds.size(); ++n) {
+        if (!parameters.winds[n].threshold_ratio.is_word() &&
+            parameters.speed_up != DuneSpeedUp::relief) {
+            throw KeyError(fmt::format("wind.{}.threshold_ratio", n),
+                           "only the shear stress over relief knows a threshold; write "
+                           "model.speed_up = \"relief\", or threshold_ratio = \"none\"");
+        }
         if (parameters.winds[n].table.empty()) continue;
         throw KeyError(fmt::format("wind.{}.table", n),
                        fmt::format("the winds of {} were not read", parameters.winds[n].table));
@@ -188,15 +195,15 @@ double slab_height_of(const DunesParameters& parameters, const DuneGround& groun
 
 /// Years that a step takes under a wind of that strength.
 double step_length(const DunesParameters& parameters, const DuneGround& ground, double strength) {
-    const double saturation = parameters.hop_length / parameters.deposit_on_sand;
+    const double saturation = saturation_length(parameters, ground);
     if (parameters.transport == DuneTransport::slabs)
         return slab_height_of(parameters, ground) * saturation / (parameters.flux * strength);
-    constexpr double lifted = 0.03;  // of a cell's size
+    constexpr double taken = 0.03;  // of a cell's size
     double strongest = 1.0;
     for (const DuneWind& wind : parameters.winds) strongest = std::max(strongest, wind.strength);
-    return parameters.time_step.is_word() ? lifted * std::min(ground.dx, ground.dy) * saturation /
-                                                (parameters.flux * strongest)
-                                          : parameters.time_step.value;
+    return parameters.time_step.is_word()
+               ? taken * std::min(ground.dx, ground.dy) * saturation / (parameters.flux * strongest)
+               : parameters.time_step.value;
 }
 
 /// What no bed of a checkpoint exceeds.
@@ -224,6 +231,7 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
     check_winds(parameters);
     check_angles(parameters);
     check_transport(parameters, setup);
+    check_saturation(parameters, ground_);
     check_plants(parameters);
     check_ravines(parameters);
     sources_ = sources_of(parameters.features, ground_);
@@ -317,8 +325,9 @@ void Dunes::bend(const BlowingWind& wind) const {
 
 double Dunes::saturated_air() const {
     if (parameters_.transport == DuneTransport::slabs) return 0.0;
-    return parameters_.flux * step_length(parameters_, ground_, 1.0) *
-           (1.0 - parameters_.deposit_on_sand) / parameters_.hop_length;
+    const BlowingWind wind = turns_.at(steps_);
+    const SaturationHops hops = saturation_hops(parameters_, ground_, wind.x, wind.y);
+    return parameters_.flux * step_length(parameters_, ground_, 1.0) * hops.kept / hops.length;
 }
 
 void Dunes::fill_sources() {
@@ -337,7 +346,8 @@ void Dunes::blow_continuously(const BlowingWind& wind) {
     if (plants_) over.plants = &*plants_;
     continuous_->step(bed_, over);
     if (rock_wear_) {
-        rock_wear_->wear(bed_, wind, continuous_->landed(), plants_ ? &plants_->cover() : nullptr);
+        rock_wear_->wear(bed_, wind, continuous_->landed(), continuous_->ended(),
+                         plants_ ? &plants_->cover() : nullptr);
     }
 }
 

@@ -33,6 +33,14 @@ void list_wind(DuneWind& wind, const std::string& path, KeyTable& table) {
     table.real(
         path + ".gust_duration", wind.gust_duration,
         {.unit = "yr", .range = {0, 1e6, true}, .help = "how long a gust lasts, in whole steps"});
+    table.word_or_real(
+        path + ".threshold_ratio", wind.threshold_ratio,
+        {{"none", "a wind far above the threshold: the drift follows the stress"}},
+        {.range = {1, 1e3, true},
+         .help = "its friction velocity over that at which sand begins to move, which "
+                 "slopes raise: near 1 relief counts for more and flat beds grow "
+                 "longer waves or none (Gadal et al. 2019); of speed_up = "
+                 "\"relief\""});
 }
 
 void list_feature(DuneFeature& feature, const std::string& path, KeyTable& table) {
@@ -143,11 +151,22 @@ void list_transport_keys(DunesParameters& dunes, KeyTable& table) {
                {.unit = "m^2/yr",
                 .range = {0, 1e6, true},
                 .help = "drift over flat sand, where it is saturated: volume per width and year"});
+    table.word_or_real(
+        "model.saturation_length", dunes.saturation_length,
+        {{"auto", "1.3 m, or a cell's size where that is more"},
+         {"hops",
+          "hops are of one length, model.hop_length; the drift saturates over "
+          "model.hop_length (2 - p)/(2 p), with p = model.deposit_on_sand"}},
+        {.unit = "m",
+         .range = {0, longest_hop, true},
+         .help = "length over which the drift comes within 1/e of a new wind's; of continuous "
+                 "transport",
+         .earlier = {"0.3.0", "\"hops\""}});
     table.real("model.hop_length", dunes.hop_length,
                {.unit = "m",
                 .range = {0, longest_hop, true},
-                .help = "of a hop over flat ground; the drift saturates over this length divided "
-                        "by model.deposit_on_sand"});
+                .help = "of a hop over flat ground, of slabs and where model.saturation_length is "
+                        "\"hops\""});
     table.real("model.deposit_on_sand", dunes.deposit_on_sand,
                {.range = {0, 1, true}, .help = "share that a hop's end on sand leaves there"});
     table.real("model.deposit_on_rock", dunes.deposit_on_rock,
@@ -156,14 +175,15 @@ void list_transport_keys(DunesParameters& dunes, KeyTable& table) {
                {.range = {0, 10},
                 .help = "drift down a slope of 1, in parts of the saturated one over flat sand; of "
                         "continuous transport"});
-    table.word_or_real("model.time_step", dunes.time_step,
-                       {{"auto",
-                         "such that a step of the strongest wind lifts 3 % of a cell's size from "
-                         "flat sand, at most"}},
-                       {.unit = "yr",
-                        .range = {0, 1e3, true},
-                        .help = "of continuous transport; a step of slabs takes as long as its "
-                                "hops give model.flux"});
+    table.word_or_real(
+        "model.time_step", dunes.time_step,
+        {{"auto",
+          "such that a step of the strongest wind takes at most 3 % of a cell's size "
+          "away where it meets sand"}},
+        {.unit = "yr",
+         .range = {0, 1e3, true},
+         .help = "of continuous transport; a step of slabs takes as long as its "
+                 "hops give model.flux"});
     table.word_or_real("model.slab_height", dunes.slab_height,
                        {{"auto", "a third of a cell's size (Werner 1995)"}},
                        {.unit = "m", .range = {0, 1e3, true}, .help = "of slabs"});

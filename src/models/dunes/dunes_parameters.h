@@ -27,7 +27,8 @@ struct DuneWind {
     std::string table{};         ///< a file; empty for a wind
     double gust_angle = 0.0;     ///< degrees: standard deviation of gusts' directions about `from`
     double gust_strength = 0.0;  ///< standard deviation of gusts' strengths, in parts of `strength`
-    double gust_duration = 0.01;  ///< years
+    double gust_duration = 0.01;              ///< years
+    WordOrReal threshold_ratio{"none", 0.0};  ///< u* / u*t
 
     friend bool operator==(const DuneWind&, const DuneWind&) = default;
 };
@@ -60,8 +61,9 @@ struct DunesParameters {
     DuneTransport transport = DuneTransport::continuous;
     std::vector<DuneWind> winds;  ///< in turn; none: one from 270 degrees
 
-    double flux = 100.0;      ///< saturated drift over flat sand, m²/yr (m³ per m width and year)
-    double hop_length = 1.0;  ///< m
+    double flux = 100.0;  ///< saturated drift over flat sand, m²/yr (m³ per m width and year)
+    WordOrReal saturation_length{"auto", 0.0};  ///< m; "hops": of hops by hop_length
+    double hop_length = 1.0;                    ///< m
     double deposit_on_sand = 0.6;
     double deposit_on_rock = 0.4;
     double slope_drift = 0.3;

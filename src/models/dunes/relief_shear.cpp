@@ -10,6 +10,9 @@ namespace {
 /// Of what is taken from waves that the grid does not resolve: half a cell.
 constexpr double smoothed_cells = 0.5;
 
+/// By which slopes raise the threshold of transport, μ of Gadal et al. (2019).
+constexpr double threshold_slope = 0.63;
+
 }  // namespace
 
 ReliefShear::ReliefShear(const DuneGround& ground, double in_phase, double ahead, WorkerPool& pool)
@@ -27,6 +30,19 @@ double ReliefShear::scale(const GroundFilter::Wave& wave) const {
 }
 
 void ReliefShear::apply(Grid& plane, const BlowingWind& wind) {
+    if (wind.threshold > 0.0) {
+        const double over = 1.0 / (1.0 - wind.threshold);
+        const double by_slope = wind.threshold / threshold_slope;
+        filter_.apply(plane, [&](const GroundFilter::Wave& wave) {
+            const double of_wave = scale(wave);
+            const double along = wave.kx * wind.x + wave.ky * wind.y;
+            const double length = std::sqrt(wave.kx * wave.kx + wave.ky * wave.ky);
+            const double ahead = ahead_ * std::abs(along) - by_slope * length;
+            return GroundFilter::Response{over * in_phase_ * of_wave * along * along,
+                                          over * of_wave * along * ahead};
+        });
+        return;
+    }
     filter_.apply(plane, [&](const GroundFilter::Wave& wave) {
         const double of_wave = scale(wave);
         const double along = wave.kx * wind.x + wave.ky * wind.y;

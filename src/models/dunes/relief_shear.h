@@ -18,6 +18,11 @@ class WorkerPool;
 ///     τ/τ0 − 1 = (A + iB sgn k_w) (k_w² / |k|) ĥ exp(−(dx k_x / 2√2)² − (dy k_y / 2√2)²)
 ///     τ_n/τ0   = C (k_w k_n / |k|) ĥ exp(…)
 ///
+/// A wind not far above the threshold of transport, of u*t, moves sand as τ less a threshold that
+/// slopes raise (Gadal et al. 2019), q ∝ τ/τ0 − t (1 + ∂h/∂w / μ) with t = (u*t/u*)² and μ = 0.63,
+/// so that the drift varies as τ/τ0 − 1 less (t/μ) i k_w ĥ, both divided by 1 − t: B becomes B −
+/// t/μ for waves across the wind, and relief counts 1/(1 − t) times.
+///
 /// The stress is highest ahead of the crests, by atan(B/A) of a wave. The last factor takes away
 /// what the grid cannot resolve. Across the wind the stress is in phase with the bed (Hunt,
 /// Leibovich & Richards 1988, of Durán & Moore's 2013 form the part that does not vanish with the
@@ -26,7 +31,7 @@ class ReliefShear {
   public:
     ReliefShear(const DuneGround& ground, double in_phase, double ahead, WorkerPool& pool);
 
-    /// Replaces heights in metres by τ/τ0 − 1.
+    /// Replaces heights in metres by τ/τ0 − 1, or above a threshold by q/q0 − 1.
     void apply(Grid& plane, const BlowingWind& wind);
 
     /// Replaces heights in metres by τ_n/τ0.

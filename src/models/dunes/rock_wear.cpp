@@ -62,7 +62,7 @@ std::int64_t RockWear::crumbles(std::int64_t here, const Around& rock) const {
                                      fall);
 }
 
-void RockWear::wear(DuneBed& bed, const BlowingWind& wind, const WholeGrid& landed,
+void RockWear::wear(DuneBed& bed, const BlowingWind& wind, const WholeGrid& landed, double ended,
                     const Grid* cover) {
     before_ = bed.rock;
     if (reach_) reach_->find(bed.surface, wind);
@@ -87,7 +87,7 @@ void RockWear::wear(DuneBed& bed, const BlowingWind& wind, const WholeGrid& land
                         reach_ ? slope_before(wind, before_(x, y), rock) : slope_along(wind, rock);
                     const double facing = std::clamp(1.0 + slope / descent, 0.0, most_on_slopes);
                     if (reach_) open *= reach_->share()(x, y);
-                    blown = static_cast<std::int64_t>(rule_.share * facing * open *
+                    blown = static_cast<std::int64_t>(rule_.share * ended * facing * open *
                                                       static_cast<double>(landed(x, y)));
                 }
                 bed.rock(x, y) -= crumbled + blown;

@@ -42,8 +42,10 @@ class RockWear {
 
     RockWear(const DuneGround& ground, const Rule& rule, WorkerPool& pool);
 
-    /// `landed`: what has come down in each cell in this step. `cover`: of plants, or null.
-    void wear(DuneBed& bed, const BlowingWind& wind, const WholeGrid& landed, const Grid* cover);
+    /// `landed`: what has come down in each cell in this step, of which the part `ended` ended a
+    /// hop there. `cover`: of plants, or null.
+    void wear(DuneBed& bed, const BlowingWind& wind, const WholeGrid& landed, double ended,
+              const Grid* cover);
 
   private:
     /// The floor beside a cell.

@@ -26,9 +26,10 @@ std::array<double, 2> normal_pair(RandomStream& stream) {
     return {radius * elementary::cos(angle), radius * elementary::sin(angle)};
 }
 
-BlowingWind blowing(double from, double strength) {
+BlowingWind blowing(double from, double strength, const WordOrReal& ratio) {
+    const double threshold = ratio.is_word() ? 0.0 : 1.0 / (ratio.value * ratio.value);
     return {without_rounding(-elementary::sin(from * degree)),
-            without_rounding(-elementary::cos(from * degree)), strength};
+            without_rounding(-elementary::cos(from * degree)), strength, threshold};
 }
 
 std::int64_t whole_steps(double duration, double step_length) {
@@ -41,7 +42,7 @@ std::int64_t whole_steps(double duration, double step_length) {
 void WindTurns::add(const DuneWind& wind, double step_length) {
     const std::int64_t begin = turns_.empty() ? 0 : turns_.back().end;
     const bool gusty = wind.gust_angle > 0.0 || wind.gust_strength > 0.0;
-    turns_.push_back({blowing(wind.from, wind.strength),
+    turns_.push_back({blowing(wind.from, wind.strength, wind.threshold_ratio),
                       begin + whole_steps(wind.duration, step_length), step_length, wind,
                       gusty ? whole_steps(wind.gust_duration, step_length) : 0});
 }
@@ -55,7 +56,7 @@ BlowingWind WindTurns::at(std::int64_t step) const {
     const std::array<double, 2> drawn = normal_pair(stream);
     const double strength = 1.0 + now.asked.gust_strength * drawn[1];
     return blowing(now.asked.from + now.asked.gust_angle * drawn[0],
-                   now.asked.strength * std::max(strength, 0.0));
+                   now.asked.strength * std::max(strength, 0.0), now.asked.threshold_ratio);
 }
 
 const WindTurns::Turn& WindTurns::turn(std::int64_t step) const {

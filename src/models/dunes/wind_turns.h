@@ -14,6 +14,7 @@ struct BlowingWind {
     double x = 1.0;
     double y = 0.0;
     double strength = 1.0;
+    double threshold = 0.0;  ///< (u*t / u*)², 0 where there is none
 };
 
 /// Winds that blow in turn, each for as many whole steps as come nearest to its duration, at least

@@ -35,6 +35,18 @@ void list_ground_keys(GullyParameters& gully, KeyTable& table) {
                {.unit = "mm/h", .range = {0, 1e6}, .help = "at t = 0, of horton"});
     table.real("model.infiltration_decay", gully.infiltration_decay,
                {.unit = "1/h", .range = {0, 1e6}, .help = "k of horton"});
+    table.choice(
+        "model.horton_by", gully.horton_by,
+        {{HortonBy::intake, "intake",
+          "what a cell has taken: where less water comes than it could take, its capacity "
+          "falls more slowly"},
+         {HortonBy::clock, "clock", "the time since the start, rain or not"}},
+        {.help = "by what the capacity of horton falls", .earlier = {"0.3.0", "\"clock\""}});
+    table.real("model.infiltration_recovery", gully.infiltration_recovery,
+               {.unit = "1/h",
+                .range = {0, 1e6},
+                .help = "k of the capacity of horton that ground without water gets back, toward "
+                        "model.infiltration_start as e^(-kt) (Rossman & Huber 2016)"});
     table.real("model.suction_head", gully.suction_head,
                {.unit = "m", .range = {0, 100}, .help = "psi of green-ampt"});
     table.real("model.moisture_deficit", gully.moisture_deficit,

@@ -15,6 +15,7 @@ enum class Relief { automatic, gentle, steep };
 enum class FrictionLaw { full, half, chezy, manning };
 enum class InitialWater { film, level, surface, dry };
 enum class InfiltrationLaw { none, constant, horton, green_ampt };
+enum class HortonBy { intake, clock };
 enum class InitialFlow { automatic, uniform, rest };
 enum class EdgeKind { automatic, periodic, open, wall };
 enum class StoppingSteps { bed, all };
@@ -53,8 +54,10 @@ struct GullyParameters {
     double infiltration_rate = 10.0;   ///< mm/h: constant, in the end (Horton), or conductivity
     double infiltration_start = 60.0;  ///< mm/h, at t = 0 (Horton)
     double infiltration_decay = 2.0;   ///< 1/h (Horton)
-    double suction_head = 0.1;         ///< ψ, m (Green–Ampt)
-    double moisture_deficit = 0.3;     ///< Δθ (Green–Ampt)
+    HortonBy horton_by = HortonBy::intake;
+    double infiltration_recovery = 0.0;  ///< 1/h, of dry ground (Horton)
+    double suction_head = 0.1;           ///< ψ, m (Green–Ampt)
+    double moisture_deficit = 0.3;       ///< Δθ (Green–Ampt)
 
     SedimentTransport transport = SedimentTransport::incision;
     FrictionLaw friction = FrictionLaw::full;

@@ -1,6 +1,7 @@
 #include "models/water/infiltration.h"
 
 #include "base/elementary.h"
+#include "base/error.h"
 #include "base/worker_pool.h"
 #include "models/water/kernels/infiltration_vectors.h"
 #include "models/water/kernels/sediment_vectors.h"
@@ -21,8 +22,17 @@ Infiltration::Infiltration(const GullyParameters& parameters, Soil soil, double 
       decay_(parameters.infiltration_decay / hour),
       suction_(std::move(soil.suction), parameters.suction_head * parameters.moisture_deficit, nx),
       cell_area_(cell_area),
-      pool_(pool) {
+      pool_(pool),
+      recovery_(parameters.infiltration_recovery / hour) {
+    const bool by_intake =
+        law_ == InfiltrationLaw::horton && parameters.horton_by == HortonBy::intake;
+    if (recovery_ > 0.0 && !by_intake) {
+        throw KeyError("model.infiltration_recovery",
+                       "is of infiltration = \"horton\" with horton_by = \"intake\"; write these, "
+                       "or leave it out");
+    }
     if (!takes()) return;
+    if (by_intake) fallen_ = Grid(nx, ny, 1.0);
     rows_.resize(static_cast<std::size_t>(ny));
     if (law_ == InfiltrationLaw::green_ampt) total_ = Grid(nx, ny);
 }
@@ -39,6 +49,9 @@ void Infiltration::advance(Grid& depth, double time, double dt) {
             if (law_ == InfiltrationLaw::green_ampt) {
                 infiltration::green_ampt_row({rate_.row(y), suction_.row(y), dt}, nx, row,
                                              total_.row(y).data(), taken.data());
+            } else if (!fallen_.empty()) {
+                infiltration::horton_row({rate_.row(y), start_.row(y), decay_, recovery_, dt}, nx,
+                                         row, fallen_.row(y).data(), taken.data());
             } else {
                 const double* start = falls ? start_.row(y) : rate_.row(y);
                 infiltration::take_row({rate_.row(y), start, fallen, dt}, nx, row, taken.data());
@@ -53,6 +66,7 @@ void Infiltration::carry(StateCarrier& carrier) {
     if (!takes()) return;
     volume_.carry("infiltrated_volume", carrier);
     if (!total_.empty()) carrier.values("infiltrated", total_.values());
+    if (!fallen_.empty()) carrier.values("infiltration_capacity", fallen_.values());
 }
 
 }  // namespace fumon

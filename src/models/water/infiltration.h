@@ -21,12 +21,17 @@ struct Soil {
 /// Water that the ground takes where there is some (f in m/s):
 ///
 ///  * constant: f;
-///  * Horton (1933): f + (f0 − f) e^(−k t), t since the start;
+///  * Horton (1933): f + (f0 − f) c, where c falls from 1 as e^(−k t), with t since the start
+///    (HortonBy::clock) or such that ∫ (f + (f0 − f) e^(−k t)) dt is what the cell has taken
+///    (HortonBy::intake), exact in each step. With a recovery r, 1 − c of a cell without water
+///    falls as e^(−r t) (the drying curve of Rossman & Huber 2016, Storm Water Management Model
+///    Reference Manual I, EPA/600/R-15/162A, section 4.2);
 ///  * Green & Ampt (1911): dF/dt = K (1 + ψ Δθ / F), F what the cell has taken, m; implicit in F.
 ///
 /// What is left keeps its velocity.
 class Infiltration {
   public:
+    /// Throws KeyError for a recovery of another law.
     Infiltration(const GullyParameters& parameters, Soil soil, double cell_area, int nx, int ny,
                  WorkerPool& pool);
 
@@ -35,7 +40,7 @@ class Infiltration {
     void advance(Grid& depth, double time, double dt);
     /// What the ground has taken since the start, m³.
     [[nodiscard]] double volume() const { return volume_.value(); }
-    /// F of every cell, m, where later steps depend on it; else empty.
+    /// F of every cell by Green & Ampt, m; else empty.
     [[nodiscard]] const Grid& total() const { return total_; }
 
     void carry(StateCarrier& carrier);
@@ -64,6 +69,8 @@ class Infiltration {
     double cell_area_;
     WorkerPool& pool_;
     Grid total_;
+    double recovery_;  ///< 1/s
+    Grid fallen_;      ///< c of every cell, of Horton by intake
     std::vector<double> rows_;
     CompensatedSum volume_;
 };

@@ -45,6 +45,9 @@ std::vector<Kind> kinds() {
         dunes.speed_up = speed_up;
         dunes.winds = {{270.0, 1.0, 0.003}, {30.0, 0.7, 0.002}, {135.0, 1.4, 0.002}};
         all.push_back({"continuous " + std::to_string(static_cast<int>(speed_up)), dunes});
+        dunes.saturation_length = {"hops", 0.0};
+        all.push_back({all.back().name + " of hops", dunes});
+        dunes.saturation_length = {"auto", 0.0};
         dunes.edges_x = DuneEdge::open;
         dunes.edges_y = DuneEdge::open;
         dunes.influx = 0.6;
@@ -126,6 +129,7 @@ TEST(Dunes, FlatSandDriftsAtTheSaturatedFlux) {
         DunesParameters dunes;
         dunes.winds = {{from, 1.5, 1.0}};
         dunes.flux = 80.0;
+        dunes.saturation_length = {"hops", 0.0};
         dunes.hop_length = 2.5;
         dunes.time_step = 0.0004;
         Dunes model(dunes, setup(Grid(32, 24, 1.0), pool, 0.8));
@@ -334,6 +338,7 @@ TEST(Dunes, WhatDoesNotFitIsRefused) {
     dunes.influx = 0.5;
     EXPECT_NE(refusal(dunes).find("hop in sequence"), std::string::npos);
     dunes = {};
+    dunes.saturation_length = {"hops", 0.0};
     dunes.hop_length = 21.0;
     EXPECT_NE(refusal(dunes).find("exceed the box"), std::string::npos);
 }

@@ -139,6 +139,7 @@ TEST(Plants, HoldSandInAllTransports) {
             dunes.transport = transport;
             dunes.order = order;
             dunes.speed_up = DuneSpeedUp::none;
+            dunes.saturation_length = {"hops", 0.0};
             dunes.hop_length = 5.0;
             dunes.plants = DunePlants::fixed;
             dunes.plant_repose_angle = dunes.repose_angle;
@@ -220,6 +221,7 @@ TEST(Plants, ArmsOfAParabolicDuneTrailUpwind) {
     const auto lag = [&](DunePlants plants) {
         DunesParameters dunes;
         dunes.plants = plants;
+        dunes.saturation_length = {"hops", 0.0};
         dunes.flux = 15.0;
         dunes.slope_drift = 0.3;
         if (plants != DunePlants::none) {

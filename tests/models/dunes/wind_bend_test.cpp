@@ -145,6 +145,7 @@ TEST(WindBend, TheWindGoesRoundAHill) {
     for (const DuneBend bend : {DuneBend::none, DuneBend::shear, DuneBend::contours}) {
         DunesParameters parameters = bending(bend);
         parameters.winds = {{270.0, 1.0, 1.0}};
+        parameters.saturation_length = {"hops", 0.0};
         parameters.hop_length = 20.0;
         parameters.shadow_soft_angle = 25.0;
         parameters.shadow_angle = 30.0;

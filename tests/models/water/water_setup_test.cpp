@@ -207,6 +207,57 @@ TEST(WaterSetup, TheGroundTakesWaterByThreeLaws) {
     EXPECT_NEAR(total - 0.03 * std::log(1.0 + total / 0.03), 0.010, 2e-4);
 }
 
+/// Horton's capacity falls with what the ground has taken, so that light rain does not use it up.
+TEST(WaterSetup, HortonsCapacityFallsByIntakeOrByTheClock) {
+    constexpr double hour = 3600.0;
+    constexpr double millimetre = 1e-3;
+    const auto taken = [](HortonBy by) {
+        WaterParameters water;
+        water.infiltration = InfiltrationLaw::horton;
+        water.horton_by = by;
+        water.rain = 30.0;
+        water.time_step = 5.0;
+        GullyRun run(water, Grid(3, 3), 1);
+        run.to(2.0 * hour);
+        EXPECT_LT(std::fabs(run.number("water_budget_error")), 1e-12);
+        return run.number("infiltrated_volume") / 9.0;
+    };
+    // Ponding begins as 10 t + 25 (1 − e^(−2t)) mm have come at t with 10 + 50 e^(−2t) = 30 mm/h.
+    EXPECT_NEAR(taken(HortonBy::intake), 42.38 * millimetre, 0.02 * millimetre);
+    EXPECT_NEAR(taken(HortonBy::clock), 38.65 * millimetre, 0.02 * millimetre);
+}
+
+TEST(WaterSetup, SoilGetsItsCapacityBackBetweenStorms) {
+    constexpr double hour = 3600.0;
+    const auto second_storm = [](double recovery) {
+        WaterParameters water;
+        water.infiltration = InfiltrationLaw::horton;
+        water.infiltration_recovery = recovery;
+        water.rain_times = {0.0, 0.3 * hour, 2.3 * hour, 2.4 * hour};
+        water.rain_rates = {30.0, 0.0, 500.0, 0.0};
+        water.time_step = 1.0;
+        GullyRun run(water, Grid(3, 3), 1);
+        run.to(2.3 * hour);
+        EXPECT_NEAR(run.number("infiltrated_volume"), 9.0 * 0.009, 1e-6) << "all of the first";
+        run.to(2.4 * hour);
+        return (run.number("infiltrated_volume") - 9.0 * 0.009) / 9.0 * 1e3;  // mm
+    };
+    // 10 t + 25 (1 − e^(−2t)) = 9 mm
+    double phase = 0.0;
+    double low = 0.0;
+    double high = 1.0;
+    for (int turn = 0; turn < 60; ++turn) {
+        phase = 0.5 * (low + high);
+        (5.0 * phase + 25.0 * (1.0 - std::exp(-phase)) < 9.0 ? low : high) = phase;
+    }
+    const auto takes = [](double left) {
+        return 10.0 * 0.1 + 25.0 * left * (1.0 - std::exp(-0.2));
+    };
+    const double left = std::exp(-phase);
+    EXPECT_NEAR(second_storm(0.0), takes(left), 0.02);
+    EXPECT_NEAR(second_storm(1.0), takes(1.0 - (1.0 - left) * std::exp(-2.0)), 0.02);
+}
+
 TEST(WaterSetup, RefusesWhatDoesNotGoTogetherAtItsKey) {
     const auto refusal = [](const GullyParameters& water) -> std::string {
         try {
@@ -218,6 +269,9 @@ TEST(WaterSetup, RefusesWhatDoesNotGoTogetherAtItsKey) {
     };
     WaterParameters water;
     EXPECT_EQ(refusal(water), "");
+    water.infiltration_recovery = 1.0;
+    EXPECT_EQ(refusal(water), "model.infiltration_recovery");
+    water = {};
     water.edges = {edge(GridSide::west, EdgeFlow::discharge, -1.0)};
     EXPECT_EQ(refusal(water), "edge.0.value");
     water.edges = {edge(GridSide::west, EdgeFlow::level), edge(GridSide::west, EdgeFlow::open)};

@@ -1,6 +1,10 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "models/water/kernels/infiltration_vectors.cpp"
 #include <hwy/foreach_target.h>
+
+#include <cmath>
+
+#include "base/elementary.h"
 // Those below are included once for each target.
 #include "models/water/kernels/infiltration_vectors.h"
 #include "vectors/functions-inl.h"
@@ -25,6 +29,48 @@ struct Take {
         const auto most = (rate + above * hn::Set(d, rates.fallen)) * hn::Set(d, rates.dt);
         const auto gone = lesser(most, there);
         hn::StoreU(gone, d, taken + x);
+        hn::StoreU(there - gone, d, depth + x);
+    }
+};
+
+struct Horton {
+    Capacity capacity;
+    double falls;  ///< e^(−k dt)
+    double lasts;  ///< (1 − e^(−k dt)) / k
+    double stays;  ///< e^(−r dt)
+    double* depth;
+    double* fallen;
+    double* taken;
+
+    template <class D>
+    HWY_INLINE void operator()(D d, std::size_t x) const {
+        const auto there = hn::LoadU(d, depth + x);
+        const auto rate = hn::LoadU(d, capacity.rate + x);
+        const auto before = hn::LoadU(d, fallen + x);
+        const auto above = (hn::LoadU(d, capacity.start + x) - rate) * before;
+        const auto one = hn::Set(d, 1.0);
+        const auto decay = hn::Set(d, capacity.decay);
+        const auto whole = rate * hn::Set(d, capacity.dt) + above * hn::Set(d, lasts);
+        const auto gone = lesser(whole, there);
+        // k times the time in which that much could be taken, by Newton from below.
+        const auto wanted = decay * gone;
+        const auto most = hn::Set(d, capacity.decay * capacity.dt);
+        const auto least = hn::Set(d, 1e-300);  // m/s, where the ground takes nothing
+        auto phase = lesser(wanted / greater(rate + above, least), most);
+        constexpr int turns = 5;
+        for (int turn = 0; turn < turns; ++turn) {
+            const auto kept = above * exp(hn::Neg(phase));
+            const auto missing = wanted - rate * phase - (above - kept);
+            phase = lesser(phase + missing / greater(rate + kept, least), most);
+            phase = greater(phase, hn::Zero(d));
+        }
+        const auto slower = before * exp(hn::Neg(phase));
+        const auto recovered = one - (one - before) * hn::Set(d, stays);
+        const auto after =
+            hn::IfThenElse(hn::Le(there, hn::Zero(d)), recovered,
+                           hn::IfThenElse(hn::Lt(gone, whole), slower, before * hn::Set(d, falls)));
+        hn::StoreU(gone, d, taken + x);
+        hn::StoreU(after, d, fallen + x);
         hn::StoreU(there - gone, d, depth + x);
     }
 };
@@ -55,6 +101,15 @@ void take_row(const Rates& rates, int count, double* depth, double* taken) {
     for_each_vector(count, Take{rates, depth, taken});
 }
 
+void horton_row(const Capacity& capacity, int count, double* depth, double* fallen, double* taken) {
+    const double falls = elementary::exp(-capacity.decay * capacity.dt);
+    const double grown = elementary::expm1_positive(std::fmin(capacity.decay * capacity.dt, 500.0));
+    const double lasts =
+        capacity.decay > 0.0 ? grown / (grown + 1.0) / capacity.decay : capacity.dt;
+    const double stays = elementary::exp(-capacity.recovery * capacity.dt);
+    for_each_vector(count, Horton{capacity, falls, lasts, stays, depth, fallen, taken});
+}
+
 void green_ampt_row(const WettingFront& front, int count, double* depth, double* total,
                     double* taken) {
     for_each_vector(count, GreenAmpt{front, depth, total, taken});
@@ -68,10 +123,15 @@ HWY_AFTER_NAMESPACE();
 namespace fumon::infiltration {
 
 HWY_EXPORT(take_row);
+HWY_EXPORT(horton_row);
 HWY_EXPORT(green_ampt_row);
 
 void take_row(const Rates& rates, int count, double* depth, double* taken) {
     HWY_DYNAMIC_DISPATCH(take_row)(rates, count, depth, taken);
+}
+
+void horton_row(const Capacity& capacity, int count, double* depth, double* fallen, double* taken) {
+    HWY_DYNAMIC_DISPATCH(horton_row)(capacity, count, depth, fallen, taken);
 }
 
 void green_ampt_row(const WettingFront& front, int count, double* depth, double* total,

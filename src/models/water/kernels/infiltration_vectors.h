@@ -13,6 +13,20 @@ struct Rates {
 /// Takes what the ground can from each depth of a row; `taken` gets what was there to take.
 void take_row(const Rates& rates, int count, double* depth, double* taken);
 
+/// Of the law of Horton by what a cell has taken: f and f0 (m/s) of each cell.
+struct Capacity {
+    const double* rate;
+    const double* start;
+    double decay;     ///< k, 1/s
+    double recovery;  ///< 1/s
+    double dt;        ///< s
+};
+
+/// Takes from each depth up to ∫ (f + (f0 − f) c e^(−k t)) dt over the sub-step. c is `fallen`, and
+/// falls by the time in which the ground could have taken what it took; where there was nothing,
+/// 1 − c falls by the recovery.
+void horton_row(const Capacity& capacity, int count, double* depth, double* fallen, double* taken);
+
 /// Of the law of Green & Ampt: K (m/s) and S = ψ Δθ (m) of each cell.
 struct WettingFront {
     const double* conductivity;
