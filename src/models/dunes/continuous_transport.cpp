@@ -80,12 +80,12 @@ void ContinuousTransport::step(DuneBed& bed, const Wind& wind) {
         for (int y = begin; y < end; ++y) {
             give_up_if_asked();
             lift(bed, wind, layer, y);
+            std::ranges::fill(arrived_.row(y), 0);
             std::ranges::fill(landed_.row(y), 0);
         }
     });
     for (int move = 1; move <= hops_.moves; ++move) {
         const bool last = move == hops_.moves;
-        std::ranges::fill(arrived_.values(), 0);
         hop(bed, wind);
         blow_in(bed, wind.blowing);
         pool_.for_ranges(ground_.ny, [&](int begin, int end) {
@@ -93,6 +93,7 @@ void ContinuousTransport::step(DuneBed& bed, const Wind& wind) {
                 give_up_if_asked();
                 if (last) drift_down(bed, wind.blowing.strength, y);
                 deposit(last ? after_ : bed.surface, bed, wind, y);
+                if (!last) std::ranges::fill(arrived_.row(y), 0);
             }
         });
     }

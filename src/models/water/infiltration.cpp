@@ -1,5 +1,7 @@
 #include "models/water/infiltration.h"
 
+#include <algorithm>
+
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/worker_pool.h"
@@ -39,8 +41,13 @@ Infiltration::Infiltration(const GullyParameters& parameters, Soil soil, double 
 
 void Infiltration::advance(Grid& depth, double time, double dt) {
     if (!takes()) return;
-    const bool falls = law_ == InfiltrationLaw::horton;
-    const double fallen = falls ? elementary::exp(-decay_ * (time + 0.5 * dt)) : 0.0;
+    const bool horton = law_ == InfiltrationLaw::horton;
+    const double fallen = horton ? elementary::exp(-decay_ * (time + 0.5 * dt)) : 0.0;
+    const double falls = elementary::exp(-decay_ * dt);
+    const double stays = elementary::exp(-recovery_ * dt);
+    constexpr double most = 500.0;  // of which e is a number
+    const double grown = elementary::expm1_positive(std::min(decay_ * dt, most));
+    const double lasts = decay_ > 0.0 ? grown / (grown + 1.0) / decay_ : dt;
     const int nx = depth.nx();
     pool_.for_ranges(depth.ny(), [&](int begin, int end) {
         std::vector<double> taken(static_cast<std::size_t>(nx));
@@ -50,10 +57,11 @@ void Infiltration::advance(Grid& depth, double time, double dt) {
                 infiltration::green_ampt_row({rate_.row(y), suction_.row(y), dt}, nx, row,
                                              total_.row(y).data(), taken.data());
             } else if (!fallen_.empty()) {
-                infiltration::horton_row({rate_.row(y), start_.row(y), decay_, recovery_, dt}, nx,
-                                         row, fallen_.row(y).data(), taken.data());
+                infiltration::horton_row(
+                    {rate_.row(y), start_.row(y), decay_, falls, lasts, stays, dt}, nx, row,
+                    fallen_.row(y).data(), taken.data());
             } else {
-                const double* start = falls ? start_.row(y) : rate_.row(y);
+                const double* start = horton ? start_.row(y) : rate_.row(y);
                 infiltration::take_row({rate_.row(y), start, fallen, dt}, nx, row, taken.data());
             }
             rows_[static_cast<std::size_t>(y)] = sediment::row_sum(taken.data(), nx);

@@ -1,10 +1,6 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "models/water/kernels/infiltration_vectors.cpp"
 #include <hwy/foreach_target.h>
-
-#include <cmath>
-
-#include "base/elementary.h"
 // Those below are included once for each target.
 #include "models/water/kernels/infiltration_vectors.h"
 #include "vectors/functions-inl.h"
@@ -35,9 +31,6 @@ struct Take {
 
 struct Horton {
     Capacity capacity;
-    double falls;  ///< e^(−k dt)
-    double lasts;  ///< (1 − e^(−k dt)) / k
-    double stays;  ///< e^(−r dt)
     double* depth;
     double* fallen;
     double* taken;
@@ -50,7 +43,7 @@ struct Horton {
         const auto above = (hn::LoadU(d, capacity.start + x) - rate) * before;
         const auto one = hn::Set(d, 1.0);
         const auto decay = hn::Set(d, capacity.decay);
-        const auto whole = rate * hn::Set(d, capacity.dt) + above * hn::Set(d, lasts);
+        const auto whole = rate * hn::Set(d, capacity.dt) + above * hn::Set(d, capacity.lasts);
         const auto gone = lesser(whole, there);
         // k times the time in which that much could be taken, by Newton from below.
         const auto wanted = decay * gone;
@@ -59,16 +52,16 @@ struct Horton {
         auto phase = lesser(wanted / greater(rate + above, least), most);
         constexpr int turns = 5;
         for (int turn = 0; turn < turns; ++turn) {
-            const auto kept = above * exp(hn::Neg(phase));
+            const auto kept = above * vectors::HWY_NAMESPACE::exp(hn::Neg(phase));
             const auto missing = wanted - rate * phase - (above - kept);
             phase = lesser(phase + missing / greater(rate + kept, least), most);
             phase = greater(phase, hn::Zero(d));
         }
-        const auto slower = before * exp(hn::Neg(phase));
-        const auto recovered = one - (one - before) * hn::Set(d, stays);
-        const auto after =
-            hn::IfThenElse(hn::Le(there, hn::Zero(d)), recovered,
-                           hn::IfThenElse(hn::Lt(gone, whole), slower, before * hn::Set(d, falls)));
+        const auto slower = before * vectors::HWY_NAMESPACE::exp(hn::Neg(phase));
+        const auto recovered = one - (one - before) * hn::Set(d, capacity.stays);
+        const auto after = hn::IfThenElse(
+            hn::Le(there, hn::Zero(d)), recovered,
+            hn::IfThenElse(hn::Lt(gone, whole), slower, before * hn::Set(d, capacity.falls)));
         hn::StoreU(gone, d, taken + x);
         hn::StoreU(after, d, fallen + x);
         hn::StoreU(there - gone, d, depth + x);
@@ -102,12 +95,7 @@ void take_row(const Rates& rates, int count, double* depth, double* taken) {
 }
 
 void horton_row(const Capacity& capacity, int count, double* depth, double* fallen, double* taken) {
-    const double falls = elementary::exp(-capacity.decay * capacity.dt);
-    const double grown = elementary::expm1_positive(std::fmin(capacity.decay * capacity.dt, 500.0));
-    const double lasts =
-        capacity.decay > 0.0 ? grown / (grown + 1.0) / capacity.decay : capacity.dt;
-    const double stays = elementary::exp(-capacity.recovery * capacity.dt);
-    for_each_vector(count, Horton{capacity, falls, lasts, stays, depth, fallen, taken});
+    for_each_vector(count, Horton{capacity, depth, fallen, taken});
 }
 
 void green_ampt_row(const WettingFront& front, int count, double* depth, double* total,

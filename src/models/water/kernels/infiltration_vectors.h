@@ -17,9 +17,11 @@ void take_row(const Rates& rates, int count, double* depth, double* taken);
 struct Capacity {
     const double* rate;
     const double* start;
-    double decay;     ///< k, 1/s
-    double recovery;  ///< 1/s
-    double dt;        ///< s
+    double decay;  ///< k, 1/s
+    double falls;  ///< e^(−k dt)
+    double lasts;  ///< (1 − e^(−k dt)) / k, s
+    double stays;  ///< e^(−r dt), r the recovery
+    double dt;     ///< s
 };
 
 /// Takes from each depth up to ∫ (f + (f0 − f) c e^(−k t)) dt over the sub-step. c is `fallen`, and
