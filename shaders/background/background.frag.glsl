@@ -49,8 +49,8 @@ vec3 plain(vec3 point, vec3 view) {
 }
 
 void main() {
-    vec2 place_in_tile = vec2(gl_FragCoord.x, row_of.x + row_of.y * gl_FragCoord.y);
-    vec2 at = (place_in_tile + tile_pixel) / picture_pixels;
+    vec2 position_in_tile = vec2(gl_FragCoord.x, row_of.x + row_of.y * gl_FragCoord.y);
+    vec2 at = (position_in_tile + tile_pixel) / picture_pixels;
     vec2 across = vec2(2.0, -2.0) * at + vec2(-1.0, 1.0);  // rows run downward
     vec3 offset = across.x * ray_right + across.y * ray_up;
     vec3 origin = ray_origin + parallel * offset;
@@ -64,7 +64,7 @@ void main() {
         float through = 1.0;
         light = sky(view);
         if (clouds > 0.5) {
-            vec2 texel = 0.5 * (place_in_tile + tile_pixel) - cloud_corner;
+            vec2 texel = 0.5 * (position_in_tile + tile_pixel) - cloud_corner;
             vec4 seen = texture(cloud_map, texel / vec2(textureSize(cloud_map, 0)));
             through = seen.a;
             light = seen.rgb + through * light;
@@ -84,15 +84,15 @@ void main() {
     }
     disc.light += light;
     if (streamers > 0.5) {
-        ivec2 seen_at = ivec2(vec2(place_in_tile.x, tile_rows - place_in_tile.y) - first_drawn);
-        light = through_streamers(light, seen_at);
-        disc.light = through_streamers(disc.light, seen_at);
+        ivec2 visibility_at = ivec2(vec2(position_in_tile.x, tile_rows - position_in_tile.y) - first_drawn);
+        light = through_streamers(light, visibility_at);
+        disc.light = through_streamers(disc.light, visibility_at);
     }
     vec3 shown = tone_curve(light);
     if (atmosphere > 0.5 && plain_alone < 0.5) {
         for (int near = 0; near < (disc.cover > 0.0 ? 1 : 0); ++near) shown = mix(shown, tone_curve(disc.light), disc.cover);
     }
-    ivec2 pixel = ivec2(place_in_tile + tile_pixel);
+    ivec2 pixel = ivec2(position_in_tile + tile_pixel);
     float dither = hash(pixel) + hash(pixel + ivec2(7919, 104729)) - 1.0;
     colour = vec4(display_from_linear(shown) + dithered * dither / 255.0, 1.0);
 }

@@ -13,7 +13,7 @@ uniform float base;         // height of the plain
 uniform vec2 picture_pixels;
 uniform vec2 cloud_corner;  // the first texel's number, of those of two pixels each from the picture's upper left
 
-out vec4 seen_clouds;
+out vec4 cloud_light;
 
 void main() {
     vec2 at = 2.0 * (gl_FragCoord.xy + cloud_corner) / picture_pixels;
@@ -21,8 +21,8 @@ void main() {
     vec3 offset = across.x * ray_right + across.y * ray_up;
     vec3 origin = ray_origin + parallel * offset;
     vec3 view = normalize(ray_forward + (1.0 - parallel) * offset);
-    CloudSeen seen = CloudSeen(vec3(0.0), 1.0);
+    CloudLight seen = CloudLight(vec3(0.0), 1.0);
     for (int i = 0; i < (view.z > lowest_cloud ? 1 : 0); ++i)
-        seen = clouds_seen(kilometres * (origin - vec3(0.0, 0.0, base)), view, scattered_sky(view));
-    seen_clouds = vec4(seen.light, seen.through);
+        seen = march_clouds(kilometres * (origin - vec3(0.0, 0.0, base)), view, scattered_sky(view));
+    cloud_light = vec4(seen.light, seen.through);
 }

@@ -16,14 +16,14 @@ uniform float parallel;  // 1: without perspective
 uniform float plain;
 
 // In the maps, of a place from the bed's middle; and of a way from one place to another.
-vec2 map_place(vec2 at) {
+vec2 map_position(vec2 at) {
     vec2 tiles = at / extent + 0.5;
     if (plain < 0.5) return tiles;
     vec2 whole = floor(tiles);
     bool own = whole.x == 0.0 && whole.y == 0.0;
     return vec2(0.5 * (tiles.x - whole.x + (own ? 0.0 : 1.0)), tiles.y - whole.y);
 }
-vec2 map_way(vec2 way) { return plain < 0.5 ? way / extent : way / (vec2(2.0, 1.0) * extent); }
+vec2 map_offset(vec2 way) { return plain < 0.5 ? way / extent : way / (vec2(2.0, 1.0) * extent); }
 
 struct BedPoint {
     vec3 normal;
@@ -40,11 +40,11 @@ BedPoint bed_point(vec4 texel) {
     return point;
 }
 
-BedPoint bed_point(vec2 place) { return bed_point(texture(lighting_map, place)); }
+BedPoint bed_point(vec2 position) { return bed_point(texture(lighting_map, position)); }
 
 // The mean over what a sample sees of ground that lies aslant to the view: of four places along it. `along` and
 // `across` are how the place changes to the next samples.
-BedPoint slanting_bed_point(vec2 place, vec2 along, vec2 across) {
+BedPoint slanting_bed_point(vec2 position, vec2 along, vec2 across) {
     if (dot(along, along) < dot(across, across)) {
         vec2 other = along;
         along = across;
@@ -55,7 +55,7 @@ BedPoint slanting_bed_point(vec2 place, vec2 along, vec2 across) {
     float level = log2(max(texels, 1.0));
     BedPoint mean = BedPoint(vec3(0.0), 0.0, 0.0);
     for (int i = 0; i < 4; ++i) {
-        BedPoint point = bed_point(textureLod(lighting_map, place + (0.25 * float(i) - 0.375) * along, level));
+        BedPoint point = bed_point(textureLod(lighting_map, position + (0.25 * float(i) - 0.375) * along, level));
         mean.normal += 0.25 * point.normal;
         mean.sun += 0.25 * point.sun;
         mean.sky += 0.25 * point.sky;
@@ -66,26 +66,26 @@ BedPoint slanting_bed_point(vec2 place, vec2 along, vec2 across) {
 vec3 direction_to_eye(vec3 point) { return mix(normalize(eye - point), eye_axis, parallel); }
 
 // Of plants, and of rock on which no sand lies.
-vec2 plants_and_rock(vec2 place) {
-    float ground = (255.0 * texture(mark_map, place).r - 128.0) / 127.0;
+vec2 plants_and_rock(vec2 position) {
+    float ground = (255.0 * texture(mark_map, position).r - 128.0) / 127.0;
     return vec2(smoothstep(0.0, 0.8, ground), smoothstep(0.2, 0.8, -ground));
 }
 
 // Of rock alone; 0 where it is not marked.
-float rock_share(vec2 place) { return marks < 1.5 ? 0.0 : plants_and_rock(place).y; }
+float rock_share(vec2 position) { return marks < 1.5 ? 0.0 : plants_and_rock(position).y; }
 
 // How far a place is bare sand, in which ripples stand.
-float bare_sand(vec2 place) {
+float bare_sand(vec2 position) {
     if (marks < 1.5) return 1.0;
-    vec2 others = plants_and_rock(place);
+    vec2 others = plants_and_rock(position);
     return (1.0 - others.x) * (1.0 - others.y);
 }
 
-vec3 marked(vec3 albedo, vec2 place) {
+vec3 marked(vec3 albedo, vec2 position) {
     if (marks < 0.5) return albedo;
-    if (marks < 1.5) return mix(albedo, vec3(0.030, 0.120, 0.330), texture(mark_map, place).r);
+    if (marks < 1.5) return mix(albedo, vec3(0.030, 0.120, 0.330), texture(mark_map, position).r);
     // Dry grass between whose tufts sand shows, and weathered rock.
-    vec2 others = plants_and_rock(place);
+    vec2 others = plants_and_rock(position);
     albedo = mix(albedo, vec3(0.140, 0.132, 0.066), 0.9 * others.x);
     return mix(albedo, vec3(0.275, 0.195, 0.140), others.y);
 }

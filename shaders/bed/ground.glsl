@@ -7,7 +7,7 @@ uniform sampler2D noise_map;  // of bed/ground_noise.frag.glsl
 uniform vec2 noise_origin;    // the drawn bed's corner there
 
 // It is one tile's.
-vec2 noise_place(vec2 place) { return plain < 0.5 ? place + noise_origin : vec2(2.0, 1.0) * place; }
+vec2 noise_position(vec2 position) { return plain < 0.5 ? position + noise_origin : vec2(2.0, 1.0) * position; }
 
 uniform vec3 sand_crest;
 uniform vec3 sand_trough;
@@ -25,15 +25,15 @@ vec3 mountain(float broad, BedPoint point, float height) {
     return mix(low_ground, cliff, steep);
 }
 
-vec3 ground_albedo(vec2 place, BedPoint point, float value) {
-    vec3 noise = 2.0 * texture(noise_map, noise_place(place)).rgb - 1.0;
+vec3 ground_albedo(vec2 position, BedPoint point, float value) {
+    vec3 noise = 2.0 * texture(noise_map, noise_position(position)).rgb - 1.0;
     vec3 own = mix(sand(1.5 * noise.r, noise.g, point, value), mountain(1.5 * noise.b, point, value), rock);
-    if (natural > 0.5) return marked(own, place);
+    if (natural > 0.5) return marked(own, position);
     vec3 coloured = linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb);
-    return marked(mix(coloured, own, texture(uncoloured_map, place).r), place);
+    return marked(mix(coloured, own, texture(uncoloured_map, position).r), position);
 }
 
-vec3 ground_albedo(vec2 place, BedPoint point) { return ground_albedo(place, point, texture(value_map, place).r); }
+vec3 ground_albedo(vec2 position, BedPoint point) { return ground_albedo(position, point, texture(value_map, position).r); }
 
 // From the sun's share that leaves it, `direct`. `gloss` is 1 for dry ground.
 vec3 ground_light_of(vec3 albedo, float direct, BedPoint point, vec3 to_eye, float gloss) {

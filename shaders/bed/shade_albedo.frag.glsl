@@ -12,7 +12,7 @@ uniform vec3 floor_values;
 
 uniform float own_texels;  // 1: the target has the maps' texels
 
-in vec2 place;
+in vec2 position;
 out vec4 colour;
 
 // How far wind has left coarse grains and crusts between dunes: low and level ground.
@@ -33,11 +33,11 @@ vec3 floor_albedo(vec3 noise) {
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
-    BedPoint point = bed_point(own_texels > 0.5 ? texelFetch(lighting_map, texel, 0) : texture(lighting_map, place));
-    float value = own_texels > 0.5 ? texelFetch(value_map, texel, 0).r : texture(value_map, place).r;
-    vec3 noise = 2.0 * texture(noise_map, noise_place(place)).rgb - 1.0;
-    float bare = bare_sand(place) * (1.0 - plain * rock);
+    BedPoint point = bed_point(own_texels > 0.5 ? texelFetch(lighting_map, texel, 0) : texture(lighting_map, position));
+    float value = own_texels > 0.5 ? texelFetch(value_map, texel, 0).r : texture(value_map, position).r;
+    vec3 noise = 2.0 * texture(noise_map, noise_position(position)).rgb - 1.0;
+    float bare = bare_sand(position) * (1.0 - plain * rock);
     float between = bare * floor_share(point, value, noise);
-    vec3 albedo = mix(ground_albedo(place, point, value), floor_albedo(noise), between);
+    vec3 albedo = mix(ground_albedo(position, point, value), floor_albedo(noise), between);
     colour = vec4(sqrt(albedo), bare * (1.0 - 0.85 * between));
 }

@@ -10,7 +10,7 @@ uniform vec3 to_sun;
 uniform float shading;  // share of hill shading
 uniform float clear;    // 1: as block diagrams are drawn
 
-in vec2 place;
+in vec2 position;
 out vec4 colour;
 
 // Level ground in a middle tone: slopes towards the sun are mixed with white, slopes away from it go far down, valleys
@@ -26,11 +26,11 @@ vec3 as_diagram(vec3 albedo, BedPoint point) {
 }
 
 void main() {
-    BedPoint point = bed_point(place);
-    float value = texture(value_map, place).r;
+    BedPoint point = bed_point(position);
+    float value = texture(value_map, position).r;
     vec3 albedo = linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb);
     vec3 plain = clear > 0.5 ? vec3(0.62, 0.52, 0.38) : vec3(0.82, 0.66, 0.45);
-    albedo = marked(mix(albedo, plain, max(natural, texture(uncoloured_map, place).r)), place);
+    albedo = marked(mix(albedo, plain, max(natural, texture(uncoloured_map, position).r)), position);
     if (clear > 0.5) {
         colour = vec4(display_from_linear(mix(albedo, as_diagram(albedo, point), shading)), 1.0);
         return;

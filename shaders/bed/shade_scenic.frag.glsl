@@ -7,14 +7,14 @@
 #include "bed/bed.glsl"
 #include "bed/ground.glsl"
 
-in vec2 place;
+in vec2 position;
 out vec4 colour;
 
 void main() {
-    BedPoint point = bed_point(place);
-    vec2 world = (place - 0.5) * extent;
+    BedPoint point = bed_point(position);
+    vec2 world = (position - 0.5) * extent;
     vec3 world_point = vec3(world, 0.0);
     vec3 to_eye = direction_to_eye(world_point);
-    vec3 light = ground_light(ground_albedo(place, point), point, to_eye, 1.0);
+    vec3 light = ground_light(ground_albedo(position, point), point, to_eye, 1.0);
     colour = vec4(display_from_linear(tone_curve(with_haze(light, world_point, -to_eye))), 1.0);
 }

@@ -12,10 +12,10 @@
 const float under_water = any_water;
 #include "bed/water_ground.glsl"
 
-in vec2 place;
+in vec2 position;
 out vec4 colour;  // alpha: how much of the grain is seen
 
 void main() {
-    vec3 world_point = vec3((place - 0.5) * extent, 0.0);
-    colour = water_ground(place, world_point, seen_width(world_point), 0.0);
+    vec3 world_point = vec3((position - 0.5) * extent, 0.0);
+    colour = water_ground(position, world_point, pixel_width_at(world_point), 0.0);
 }

@@ -20,13 +20,13 @@ struct Soil {
 };
 
 // Lengths of the smallest thing to be seen at a point.
-float seen_width(vec3 point) { return max(texel, pixel_width * mix(distance(eye, point), 1.0, parallel)); }
+float pixel_width_at(vec3 point) { return max(texel, pixel_width * mix(distance(eye, point), 1.0, parallel)); }
 
-float shown_at(float wavelength, float width) { return 1.0 - smoothstep(0.22, 0.60, width / wavelength); }
+float detail_visibility(float wavelength, float width) { return 1.0 - smoothstep(0.22, 0.60, width / wavelength); }
 
 // Noise of a wavelength and its slopes, about −1 … 1, as far as a width lets it be seen.
 vec3 shown_noise(vec2 at, float wavelength, float width) {
-    return shown_at(wavelength, width) * (2.0 * texture(streak_map, at / (noise_repeat * wavelength)).rgb - 1.0);
+    return detail_visibility(wavelength, width) * (2.0 * texture(streak_map, at / (noise_repeat * wavelength)).rgb - 1.0);
 }
 
 // `worn`: how far water has carried the fines away, 0 … 1.
@@ -53,7 +53,7 @@ Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
         pebbles = i == 0 ? grains.x : pebbles;
         size *= 0.36;
     }
-    float rills = smoothstep(0.18, 0.55, steep) * shown_at(0.9 * cell, width);
+    float rills = smoothstep(0.18, 0.55, steep) * detail_visibility(0.9 * cell, width);
     {
         vec2 downslope = down / max(steep, 1e-6);
         vec2 across = vec2(-downslope.y, downslope.x);
@@ -67,7 +67,7 @@ Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
     }
     // Water that falls over a wall's edge flutes it: grooves straight down, between ribs.
     soil.groove = 0.0;
-    float flutes = smoothstep(0.35, 0.9, steep) * shown_at(1.2 * cell, width);
+    float flutes = smoothstep(0.35, 0.9, steep) * detail_visibility(1.2 * cell, width);
     {
         vec2 downslope = down / max(steep, 1e-6);
         vec2 across = vec2(-downslope.y, downslope.x);

@@ -11,7 +11,7 @@ uniform float steepening;      // of heights, as drawn
 
 uniform sampler2D ring_map;    // rings of drops of rain: slopes of the surface around ½, and their mean square
 uniform int ring_layers;       // of it, over each other; 0 where no rain falls
-uniform float ring_tile;       // how long it is, block lengths
+uniform float ring_tile_m;       // how long it is, block lengths
 uniform vec2 ring_ends;        // of its slopes, and of their mean square
 uniform float ring_mean;       // of the mean square, in parts of that end
 
@@ -33,14 +33,14 @@ struct Water {
 };
 
 // A shore goes from cell to cell of the grid in steps: it is looked at over more than one.
-vec3 ground_at(vec2 place, float level) { return textureLod(ground_map, place, max(level, shore_level)).rgb; }
+vec3 ground_at(vec2 position, float level) { return textureLod(ground_map, position, max(level, shore_level)).rgb; }
 
 // Below 0 on banks: a shore is where the depth is 0.
-float depth_at(vec2 place, float level) { return max(textureLod(water_map, place, max(level, shore_level)).x, 0.0); }
+float depth_at(vec2 position, float level) { return max(textureLod(water_map, position, max(level, shore_level)).x, 0.0); }
 
-Water water_at(vec2 place, float level) {
-    vec4 texel = textureLod(water_map, place, max(level, shore_level));
-    vec4 surface = textureLod(surface_map, place, max(level, shore_level));
+Water water_at(vec2 position, float level) {
+    vec4 texel = textureLod(water_map, position, max(level, shore_level));
+    vec4 surface = textureLod(surface_map, position, max(level, shore_level));
     Water water;
     water.depth = max(texel.x, 0.0);
     water.speed = length(texel.yz);
@@ -102,13 +102,13 @@ struct Rings {
 Rings drop_rings(vec2 world, Water water, float width) {
     Rings rings = Rings(vec2(0.0), 0.0);
     float height = water.ringed * (1.0 - 0.7 * water.thin) * (1.0 - smoothstep(0.6, 1.2, water.froude));
-    float shown = shown_at(widest_ring * metre, width);  // else a pixel may see one or two of them, and sparkle
+    float shown = detail_visibility(widest_ring * metre, width);  // else a pixel may see one or two of them, and sparkle
     if (shown > 0.0) {
-        float level = log2(max(width * float(textureSize(ring_map, 0).x) / ring_tile, 1.0));
+        float level = log2(max(width * float(textureSize(ring_map, 0).x) / ring_tile_m, 1.0));
         for (int i = 0; i < ring_layers; ++i) {
             vec2 turn = i == 0 ? vec2(1.0, 0.0) : vec2(0.8, 0.6);
             vec2 at = vec2(turn.x * world.x - turn.y * world.y, turn.y * world.x + turn.x * world.y);
-            vec3 texel = textureLod(ring_map, at / ring_tile + 0.37 * float(i), level).xyz;
+            vec3 texel = textureLod(ring_map, at / ring_tile_m + 0.37 * float(i), level).xyz;
             vec2 slope = ring_ends.x * shown * (2.0 * texel.xy - 1.0);
             rings.slope += vec2(turn.x * slope.x + turn.y * slope.y, turn.x * slope.y - turn.y * slope.x);
             rings.rough += max(ring_ends.y * mix(ring_mean, texel.z, shown) - dot(slope, slope), 0.0);
@@ -150,7 +150,7 @@ float foam_lines(vec2 world, Water water, float silt, float width) {
         sum += 2.0 * texture(streak_map, (world.yx + float(i) * 1.1 * metre * water.flow.yx) / (noise_repeat * 0.8 * metre)).r - 1.0;
     float lace = 2.0 * texture(streak_map, world / (noise_repeat * 0.16 * metre)).r - 1.0;
     float bubbles = shown_noise(world + 0.47, 0.07 * metre, width).x;
-    float line = smoothstep(1.15, 2.3, sum + 0.5 * silt + 0.75 * shown_at(0.16 * metre, width) * lace + 0.75 * bubbles);
+    float line = smoothstep(1.15, 2.3, sum + 0.5 * silt + 0.75 * detail_visibility(0.16 * metre, width) * lace + 0.75 * bubbles);
     return 0.55 * turbidity * line * smoothstep(0.05, 0.25, water.speed) * smoothstep(thin_share, 12.0, water.depth / closed_depth);
 }
 
@@ -170,7 +170,7 @@ float foam_cover(vec2 world, Water water, float width) {
         lace += 2.0 * texture(streak_map, at.yx / (noise_repeat * 0.42 * metre)).r - 1.0;
     }
     float bubbles = shown_noise(world + 0.19, 0.13 * metre, width).x;
-    float pattern = 0.5 + 0.26 * patches + shown_at(0.42 * metre, width) * 0.30 * lace + 0.35 * bubbles;
+    float pattern = 0.5 + 0.26 * patches + detail_visibility(0.42 * metre, width) * 0.30 * lace + 0.35 * bubbles;
     float density = shooting * deep * stirred;
     return 0.95 * sqrt(density) * smoothstep(0.80 - density, 1.50 - density, pattern);
 }

@@ -37,26 +37,26 @@ vec3 mirrored_light(vec3 mirrored, vec3 albedo, BedPoint point) {
 
 // The display colour of a place (0 … 1) that lies at `world_point`, and in alpha how much of the grain is seen. `width`: of
 // the smallest thing to be seen there, block lengths; `level`: of the maps' mipmaps.
-vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
-    BedPoint point = bed_point(textureLod(lighting_map, place, level));
+vec4 water_ground(vec2 position, vec3 world_point, float width, float level) {
+    BedPoint point = bed_point(textureLod(lighting_map, position, level));
     vec2 world = world_point.xy;
     vec3 to_eye = direction_to_eye(world_point);
-    vec3 shown = ground_at(place, level);
-    vec3 albedo = natural > 0.5 ? ground_albedo(place, point, shown.b) : ground_albedo(place, point);
-    Water water = water_at(place, level);
-    float seen = tinted;
+    vec3 shown = ground_at(position, level);
+    vec3 albedo = natural > 0.5 ? ground_albedo(position, point, shown.b) : ground_albedo(position, point);
+    Water water = water_at(position, level);
+    float visible = tinted;
     float laid = 2.0 * shown.g - 1.0;
     Soil soil = soil_at(world_point, point, width, clamp(-laid, 0.0, 1.0));
     water.film = under_water > dry_water ? closed_film(water, soil) : 0.0;
-    float damp = seen * clamp(shown.r + 0.8 * shown.r * (1.0 - shown.r) * -soil.height, 0.0, 1.0);
+    float damp = visible * clamp(shown.r + 0.8 * shown.r * (1.0 - shown.r) * -soil.height, 0.0, 1.0);
     if (natural > 0.5) {
         albedo = earthen(albedo, soil, damp);
-        albedo = worked(albedo, seen * laid);
+        albedo = worked(albedo, visible * laid);
         albedo *= (1.0 + 0.13 * soil.tone) * (1.0 - 0.45 * soil.groove);
         albedo = mix(albedo, mix(vec3(0.25, 0.20, 0.155), vec3(0.46, 0.39, 0.31), clamp(0.5 + soil.tone, 0.0, 1.0)), soil.stone);
     }
     // Under water the sun stands higher, bent by the surface, so that small slopes throw less shade.
-    float bent = mix(1.0, to_sun.z / sqrt(0.77 + to_sun.z * to_sun.z), seen * water.film * (1.0 - water.thin));
+    float bent = mix(1.0, to_sun.z / sqrt(0.77 + to_sun.z * to_sun.z), visible * water.film * (1.0 - water.thin));
     vec3 normal_below = normalize(vec3(point.normal.xy / max(point.normal.z, 0.05) - bent * soil.slope, 1.0));
     // Ground behind the sun stands in the shade of its own clods, but for the highest; the water over it does not.
     float on_water = point.sun;
@@ -103,5 +103,5 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
         light = mix(light, surface, water.film);
     }
     return vec4(display_from_linear(tone_curve(with_haze(light, world_point, -to_eye))),
-                1.0 - seen * water.film * grain_hidden);
+                1.0 - visible * water.film * grain_hidden);
 }

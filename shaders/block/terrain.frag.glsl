@@ -10,10 +10,10 @@ uniform float linear_light;  // 1: the colours are radiances, not display values
 out vec4 colour;
 
 void main() {
-    vec2 place = texelFetch(visibility, ivec2(gl_FragCoord.xy), 0).xy;
-    vec2 grain_place = place * grain_scale;
-    float speck = (sample_share == 1.0 ? texture(grain, grain_place) : texture(grain, grain_place, log2(sample_share))).r - 0.5;
-    vec4 ground = sample_share == 1.0 ? texture(shaded, place) : texture(shaded, place, log2(sample_share));  // alpha: how much of the grain is seen
+    vec2 position = texelFetch(visibility, ivec2(gl_FragCoord.xy), 0).xy;
+    vec2 grain_position = position * grain_scale;
+    float speck = (sample_share == 1.0 ? texture(grain, grain_position) : texture(grain, grain_position, log2(sample_share))).r - 0.5;
+    vec4 ground = sample_share == 1.0 ? texture(shaded, position) : texture(shaded, position, log2(sample_share));  // alpha: how much of the grain is seen
     float grainy = 1.0 + grain_strength * ground.a * speck;
     if (linear_light > 0.5) grainy *= grainy;
     colour = vec4(ground.rgb * grainy, 1.0);

@@ -1,7 +1,7 @@
 // The light of a scenic view; see render/light.h.
 uniform vec3 to_sun;
 uniform vec3 sun_light;
-uniform float sun_seen;  // share of its light that reaches the eye
+uniform float visible_sun;  // share of its light that reaches the eye
 uniform float bloom;     // around its disc, see glare()
 uniform vec3 sky_light;
 uniform float in_air;    // of both, what things in the air get; 1 on the ground
@@ -49,7 +49,7 @@ vec3 glare(vec3 view) {
     float off2 = dot(off, off);
     float left = max(1.0 - off2 / farthest2, 0.0);
     float close = bloom * left * left / ((off2 + disc2) * sqrt(off2 + disc2));
-    return sun_light * (sun_seen * (0.00015 / (off2 + 0.0002) + close));
+    return sun_light * (visible_sun * (0.00015 / (off2 + 0.0002) + close));
 }
 
 // What far things fade into in a direction of view (unit vector).

@@ -1,8 +1,8 @@
 #version 330 core
 // One triangle that covers the whole target; needs no buffers.
-out vec2 place;  // 0 … 1 over the target
+out vec2 position;  // 0 … 1 over the target
 
 void main() {
-    place = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2));
-    gl_Position = vec4(2.0 * place - 1.0, 0.0, 1.0);
+    position = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2));
+    gl_Position = vec4(2.0 * position - 1.0, 0.0, 1.0);
 }

@@ -5,7 +5,7 @@ uniform vec2 tile_corner;   // samples; where this tile begins
 uniform vec2 tile_size;     // samples; a power of two
 
 vec4 snapped(vec4 clip) {
-    vec2 sample_place = (clip.xy / clip.w * 0.5 + 0.5) * picture_size;
-    sample_place = floor(sample_place * 256.0 + 0.5) / 256.0 - tile_corner;
-    return vec4((sample_place / tile_size * 2.0 - 1.0) * clip.w, clip.zw);
+    vec2 sample_coord = (clip.xy / clip.w * 0.5 + 0.5) * picture_size;
+    sample_coord = floor(sample_coord * 256.0 + 0.5) / 256.0 - tile_corner;
+    return vec4((sample_coord / tile_size * 2.0 - 1.0) * clip.w, clip.zw);
 }

@@ -5,12 +5,12 @@
 #include "common/colour.glsl"
 #include "common/light.glsl"
 #include "bed/bed.glsl"
-#include "world/far_copies.glsl"
+#include "world/tile_warp.glsl"
 
 uniform mat4 clip;
 uniform float from_eye;
 uniform vec4 root;
-uniform vec2 root_place;
+uniform vec2 root_position;
 uniform vec2 turn;
 uniform vec3 from_point;      // of the sun's disc, unit vector
 uniform float share;          // of the light, that this point has
@@ -23,10 +23,10 @@ in vec3 part_normal;
 in vec3 part_colour;
 out vec4 leaf_colour;
 
-vec2 place_of(vec2 spot) { return root_place + map_way(spot - root.xy) + ground_copy(spot).aside - ground_copy(root.xy).aside; }
+vec2 place_of(vec2 spot) { return root_position + map_offset(spot - root.xy) + warped_ground(spot).offset - warped_ground(root.xy).offset; }
 
 float ground_height(vec2 spot) {
-    return ground_copy(spot).height * textureLod(height_map, place_of(spot), 0.0).r - height_origin - from_eye * dot(spot, spot) * curvature;
+    return warped_ground(spot).height * textureLod(height_map, place_of(spot), 0.0).r - height_origin - from_eye * dot(spot, spot) * curvature;
 }
 
 void main() {

@@ -6,7 +6,7 @@
 #include "sky/cloud_shapes.glsl"
 #include "bed/bed.glsl"
 #include "streamers/streamers.glsl"
-#include "world/far_copies.glsl"
+#include "world/tile_warp.glsl"
 
 uniform mat4 clip;         // of places as `root` counts them
 uniform vec2 root_origin;  // where that counting begins, from the bed's middle, block lengths
@@ -23,11 +23,11 @@ out vec4 leaf_colour;  // light, where life/standing.frag.glsl tones it
 vec2 turned(vec2 p) { return vec2(form.x * p.x - form.y * p.y, form.y * p.x + form.x * p.y); }
 
 void main() {
-    vec3 place = root.xyz + root.w * vec3(turned(leaf.xy), leaf.z);
+    vec3 position = root.xyz + root.w * vec3(turned(leaf.xy), leaf.z);
     vec3 normal = vec3(turned(leaf_normal.xy), leaf_normal.z);
-    BedPoint ground = bed_point(textureLod(lighting_map, map_place(root_origin + root.xy) + ground_copy(root.xy).aside, 0.0));
-    if (clouds > 0.5 && from_eye > 0.5) ground.sun *= cloud_shade(place);
-    vec3 to_eye = from_eye > 0.5 ? -normalize(place) : direction_to_eye(place);
+    BedPoint ground = bed_point(textureLod(lighting_map, map_position(root_origin + root.xy) + warped_ground(root.xy).offset, 0.0));
+    if (clouds > 0.5 && from_eye > 0.5) ground.sun *= cloud_shade(position);
+    vec3 to_eye = from_eye > 0.5 ? -normalize(position) : direction_to_eye(position);
     // Leaves let light through, and their crown shades its own inside and foot.
     float facing = dot(normal, to_sun);
     float direct = max(facing, 0.0) + 0.45 * max(-facing, 0.0) + 0.15;
@@ -37,13 +37,13 @@ void main() {
     vec3 light = sun_light * (ground.sun * direct * open) + sky_light * (ground.sky * (0.35 + 0.65 * open) * (0.8 + 0.2 * normal.z));
     // Sand around them throws some back.
     light += vec3(0.40, 0.29, 0.18) * (sun_light * mix(0.3, 1.0, ground.sun) * max(to_sun.z, 0.0) + sky_light) * (0.6 * (1.0 - 0.5 * height));
-    vec3 seen = albedo * light;
+    vec3 radiance = albedo * light;
     if (from_eye > 0.5) {
-        vec3 haze = haze_along(place);
-        seen = mix(haze, seen, air_left(length(place))) + glare(-to_eye);
+        vec3 haze = haze_along(position);
+        radiance = mix(haze, radiance, air_left(length(position))) + glare(-to_eye);
     } else {
-        seen = with_haze(seen, place, -to_eye);
+        radiance = with_haze(radiance, position, -to_eye);
     }
-    leaf_colour = vec4(streamers > 0.5 ? seen : display_from_linear(tone_curve(seen)), 1.0);
-    gl_Position = snapped(clip * vec4(place, 1.0));
+    leaf_colour = vec4(streamers > 0.5 ? radiance : display_from_linear(tone_curve(radiance)), 1.0);
+    gl_Position = snapped(clip * vec4(position, 1.0));
 }

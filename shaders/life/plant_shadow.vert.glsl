@@ -4,7 +4,7 @@
 #include "common/colour.glsl"
 #include "common/light.glsl"
 #include "bed/bed.glsl"
-#include "world/far_copies.glsl"
+#include "world/tile_warp.glsl"
 
 uniform mat4 clip;
 uniform vec2 root_origin;
@@ -26,11 +26,11 @@ void main() {
     float half_width = width * root.w;
     float reach = (0.75 * slant + 2.0 * width) * root.w;
     vec2 spot = root.xy + vec2(-away.y, away.x) * (strip.x * half_width) + away * (reach * strip.y - half_width);
-    GroundCopy copy = ground_copy(spot);
-    vec2 place = (root_origin + spot) / extent + 0.5 + copy.aside;
-    float height = copy.height * textureLod(height_map, place, 0.0).r - height_origin + 0.04 * root.w - dot(spot, spot) * curvature;
+    WarpedGround copy = warped_ground(spot);
+    vec2 position = (root_origin + spot) / extent + 0.5 + copy.offset;
+    float height = copy.height * textureLod(height_map, position, 0.0).r - height_origin + 0.04 * root.w - dot(spot, spot) * curvature;
     vec3 at = vec3(spot, height);
-    BedPoint ground = bed_point(textureLod(lighting_map, map_place(root_origin + root.xy) + ground_copy(root.xy).aside, 0.0));
+    BedPoint ground = bed_point(textureLod(lighting_map, map_position(root_origin + root.xy) + warped_ground(root.xy).offset, 0.0));
     vec3 albedo = vec3(0.40, 0.29, 0.18);
     float direct = max(dot(ground.normal, to_sun), 0.0);
     vec3 lit = albedo * (sun_light * direct + sky_light);

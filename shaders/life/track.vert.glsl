@@ -6,7 +6,7 @@ uniform vec2 picture_size;  // of a tile in the picture, see common/snap.glsl
 uniform vec2 tile_corner;
 uniform vec2 tile_size;
 uniform vec3 anchor;       // which roots count from
-uniform vec3 eye_place;    // counted likewise
+uniform vec3 eye_position;    // counted likewise
 uniform float curvature;   // of the planet, 1 / (2 R)
 uniform float metre;       // block lengths
 uniform float angle;       // between two samples
@@ -25,7 +25,7 @@ const float finest = 4.0;  // metres that a sample spans, at which a track is no
 
 void main() {
     vec3 at = anchor + root.xyz;
-    at.z -= dot(at.xy - eye_place.xy, at.xy - eye_place.xy) * curvature;
+    at.z -= dot(at.xy - eye_position.xy, at.xy - eye_position.xy) * curvature;
     print_root = at;
     print_form = form;
     // Sand begins to slide from under a foot on slopes of 24 degrees; on those of 30 it does everywhere.
@@ -34,14 +34,14 @@ void main() {
 
     int corner = corners[gl_VertexID];
     vec3 share = 2.0 * vec3(float(corner & 1), float((corner >> 1) & 1), float(corner >> 2)) - 1.0;
-    float spread = angle * length(at - eye_place);
+    float spread = angle * length(at - eye_position);
     float steep = length(slope.xy);
     vec2 down = -slope.xy / max(steep, 0.1);
     float half_width = metre * mix(0.30, 0.62, slid);
     at += metre * 0.3 * slid * vec3(down, -steep);
     at += share * (vec3(vec2(half_width), half_width * steep + 0.06 * metre) + 2.0 * spread);
-    vec4 place = clip * vec4(at, 1.0);
-    vec2 seen = (0.5 * place.xy + 0.5 * place.w) * picture_size - tile_corner * place.w;
+    vec4 position = clip * vec4(at, 1.0);
+    vec2 seen = (0.5 * position.xy + 0.5 * position.w) * picture_size - tile_corner * position.w;
     bool shown = slope.z > 0.5 && spread < finest * metre;
-    gl_Position = shown ? vec4(2.0 * seen / tile_size - place.w, 0.0, place.w) : vec4(2.0, 2.0, 2.0, 1.0);
+    gl_Position = shown ? vec4(2.0 * seen / tile_size - position.w, 0.0, position.w) : vec4(2.0, 2.0, 2.0, 1.0);
 }

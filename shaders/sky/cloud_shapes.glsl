@@ -59,16 +59,16 @@ const mat2 turned_a = mat2(0.8, 0.6, -0.6, 0.8);
 const mat2 turned_b = mat2(0.28, 0.96, -0.96, 0.28);
 
 // What cumulus clouds grow from: cells of rising air of unequal size, in groups. Its standard deviation is 0.3.
-float cumulus_field(vec2 place) {
-    vec2 p = place - cloud_shift;
+float cumulus_field(vec2 position) {
+    vec2 p = position - cloud_shift;
     return 0.35 * cloud_noise(p * (1.0 / 11.0) + 3.7) + 0.50 * cloud_noise(turned_b * p * (1.0 / 2.3)) +
            0.30 * cloud_noise(turned_a * p * (1.0 / 1.02) + 17.3) + 0.17 * cloud_noise(p * (1.0 / 0.46) + 5.1);
 }
 
 // Above 0 within a cloud without its bulges.
-float cumulus_outline(vec2 place, float height) {
+float cumulus_outline(vec2 position, float height) {
     float up = max(height, 0.0) / cumulus_thickness;
-    return 1.7 * (cumulus_field(place) - cloud_threshold) - 1.15 * up * sqrt(up);
+    return 1.7 * (cumulus_field(position) - cloud_threshold) - 1.15 * up * sqrt(up);
 }
 
 // How strong bulges are, and the most that they add.
@@ -97,8 +97,8 @@ float cumulus_density(float inside, float height) {
 }
 
 // Optical depth of combed-out ice straight down.
-float cirrus_depth(vec2 place, float finest) {
-    vec2 p = place - cloud_shift;
+float cirrus_depth(vec2 position, float finest) {
+    vec2 p = position - cloud_shift;
     vec2 flow = vec2(dot(p, cloud_wind), dot(p, vec2(-cloud_wind.y, cloud_wind.x)));
     // Winds of other strength comb it aslant and bend it.
     flow.y += 2.6 * cloud_noise(flow * vec2(1.0 / 26.0, 1.0 / 17.0)) + 0.9 * cloud_noise(flow * vec2(1.0 / 8.0, 1.0 / 6.0) + 9.1);
@@ -121,13 +121,13 @@ float cirrus_depth(vec2 place, float finest) {
 // Share of the sun's light that passes to a place of the ground, by its offset from the eye, block lengths: what the
 // outlines of the clouds before the sun leave of it, and what they let through.
 float cloud_shade(vec3 from_eye) {
-    vec2 place = cloud_eye + kilometres * from_eye.xy;
+    vec2 position = cloud_eye + kilometres * from_eye.xy;
     vec2 way = to_sun.xy / max(to_sun.z, 0.02);
-    if (clouds > 1.5) return exp(-0.8 * cirrus_depth(place + cloud_base * way, 0.1));
+    if (clouds > 1.5) return exp(-0.8 * cirrus_depth(position + cloud_base * way, 0.1));
     float depth = 0.0;
     for (int i = 0; i < 2; ++i) {
         float height = i == 0 ? 0.08 : 0.34;
-        float outline = cumulus_outline(place + (cloud_base + height) * way, height);
+        float outline = cumulus_outline(position + (cloud_base + height) * way, height);
         depth += max(outline - 0.03, 0.0);
     }
     return 0.14 + 0.86 * exp(-22.0 * depth);

@@ -6,7 +6,7 @@ uniform float pixel;       // its angle, radians
 uniform float cloud_haze;  // extinction of the air at the ground, per km
 uniform float cloud_haze_height;  // km, over which the haze thins by e
 
-struct CloudSeen {
+struct CloudLight {
     vec3 light;      // that they send to the eye
     float through;   // share of what is behind them that is seen
 };
@@ -27,7 +27,7 @@ float haze_up_to(float height) {
 }
 
 // How much of what far clouds send is left, and nothing of those at the end of sight.
-float seen_through_air(float haze, float distance_to) {
+float air_transmittance(float haze, float distance_to) {
     return exp(-haze * distance_to) * (1.0 - smoothstep(0.6 * farthest_cloud, farthest_cloud, distance_to));
 }
 
@@ -77,8 +77,8 @@ vec2 depths_to_sun(vec3 at, float inside, float finest) {
 }
 
 // Along the ray by steps: long ones where no cloud can be, and the first in a cloud from its very surface on.
-CloudSeen cumulus_seen(vec3 from, vec3 view, vec3 behind) {
-    CloudSeen seen = CloudSeen(vec3(0.0), 1.0);
+CloudLight cumulus_light(vec3 from, vec3 view, vec3 behind) {
+    CloudLight cloud = CloudLight(vec3(0.0), 1.0);
     float t = along_to(view.z, cloud_base - from.z);
     float end = min(along_to(view.z, cloud_base + cumulus_thickness - from.z), farthest_cloud);
     float towards_sun = dot(view, to_sun);
@@ -89,18 +89,18 @@ CloudSeen cumulus_seen(vec3 from, vec3 view, vec3 behind) {
     float before = 1.0;
     float step = 0.0;
     vec2 depths = vec2(1.0);  // towards the sun
-    for (int i = 0; i < 80 && t < end && seen.through > 0.06; ++i) {
+    for (int i = 0; i < 80 && t < end && cloud.through > 0.06; ++i) {
         vec3 at = from + view * t;
-        vec3 place = vec3(at.xy, at.z + curve * t * t * dot(view.xy, view.xy) - cloud_base);
-        float outline = cumulus_outline(place.xy, place.z);
-        float room = outline + cumulus_most_bulge(place.z);
+        vec3 position = vec3(at.xy, at.z + curve * t * t * dot(view.xy, view.xy) - cloud_base);
+        float outline = cumulus_outline(position.xy, position.z);
+        float room = outline + cumulus_most_bulge(position.z);
         float ahead_by = max(0.03 + 0.006 * t, -0.5 * room);
         // A loop of one round or none, since llvmpipe works out both sides of a condition.
         for (int near = 0; near < (room < 0.0 ? 0 : 1); ++near) {
             float finest = 2.0 * pixel * t;
-            float inside = outline + cumulus_bulges(place, outline, finest, 4);
+            float inside = outline + cumulus_bulges(position, outline, finest, 4);
             ahead_by = inside < 0.0 ? clamp(-0.35 * inside, 0.012 + 0.0025 * t, 0.1) : 0.034 + 0.004 * t;
-            float opaque = 1.0 - exp(-cumulus_density(inside, place.z) * cumulus_extinction * ahead_by);
+            float opaque = 1.0 - exp(-cumulus_density(inside, position.z) * cumulus_extinction * ahead_by);
             if (inside > 0.02 && before < 0.0) {
                 ahead_by = -step * (inside - 0.01) / (inside - before);
                 inside = 1.0;
@@ -108,27 +108,27 @@ CloudSeen cumulus_seen(vec3 from, vec3 view, vec3 behind) {
             }
             room = inside;
             for (int lit = 0; lit < (opaque > 0.002 ? 1 : 0); ++lit) {
-                for (int j = 0; j < (seen.through * opaque > 0.012 ? 1 : 0); ++j) depths = depths_to_sun(place, 0.5 * (outline + inside), finest);
-                float up = clamp(place.z / 0.7, 0.0, 1.0);
+                for (int j = 0; j < (cloud.through * opaque > 0.012 ? 1 : 0); ++j) depths = depths_to_sun(position, 0.5 * (outline + inside), finest);
+                float up = clamp(position.z / 0.7, 0.0, 1.0);
                 float open = exp(-2.6 * max(inside, 0.0));
                 // Heads get more light than the creases between them.
-                float head = clamp(1.0 + 0.8 * (inside - outline) / cumulus_bulge(place.z), 0.6, 1.2);
+                float head = clamp(1.0 + 0.8 * (inside - outline) / cumulus_bulge(position.z), 0.6, 1.2);
                 vec3 light = cloud_sun * scattered_sun(ahead, aside, depths);
                 light += mix(0.40, 0.80, up) * (0.45 + 0.55 * open) * (in_air * sky_light) + ((1.0 - up) * (0.6 + 0.4 * open)) * from_below;
                 light *= head;
-                seen.light += seen.through * opaque * mix(behind, light, seen_through_air(haze_on_way, t));
-                seen.through *= 1.0 - opaque;
+                cloud.light += cloud.through * opaque * mix(behind, light, air_transmittance(haze_on_way, t));
+                cloud.through *= 1.0 - opaque;
             }
         }
         before = room;
         step = ahead_by;
         t += ahead_by;
     }
-    seen.through = max(seen.through - 0.06, 0.0) / 0.94;
-    return seen;
+    cloud.through = max(cloud.through - 0.06, 0.0) / 0.94;
+    return cloud;
 }
 
-CloudSeen cirrus_seen(vec3 from, vec3 view, vec3 behind) {
+CloudLight cirrus_light(vec3 from, vec3 view, vec3 behind) {
     float t = along_to(view.z, cloud_base - from.z);
     vec3 at = from + view * t;
     float slant = view.z + 2.0 * curve * t;  // the sine at which the shell is met
@@ -136,11 +136,11 @@ CloudSeen cirrus_seen(vec3 from, vec3 view, vec3 behind) {
     float opaque = 1.0 - exp(-depth);
     float towards_sun = dot(view, to_sun);
     vec3 light = cloud_sun * (0.52 + 0.050 * min(hg(towards_sun, 0.80), 20.0)) + 0.70 * (in_air * sky_light);
-    float haze = seen_through_air(haze_up_to(max(cloud_base - from.z, 0.1)), t);
-    return CloudSeen(opaque * mix(behind, light, haze), 1.0 - opaque);
+    float haze = air_transmittance(haze_up_to(max(cloud_base - from.z, 0.1)), t);
+    return CloudLight(opaque * mix(behind, light, haze), 1.0 - opaque);
 }
 
 // In a direction of view (unit vector) from a place in km, of which z counts from the ground; `behind`: the sky's light.
-CloudSeen clouds_seen(vec3 from, vec3 view, vec3 behind) {
-    return clouds < 1.5 ? cumulus_seen(from, view, behind) : cirrus_seen(from, view, behind);
+CloudLight march_clouds(vec3 from, vec3 view, vec3 behind) {
+    return clouds < 1.5 ? cumulus_light(from, view, behind) : cirrus_light(from, view, behind);
 }

@@ -12,7 +12,7 @@ uniform sampler2D ground_map;  // of streamers/depths.frag.glsl
 uniform sampler2D noise_map;   // of streamers/streaks.frag.glsl
 uniform float noise_scale;     // of its side, a feature
 uniform vec2 wind;       // where it blows to
-uniform vec3 eye_place;  // downwind of what moves with the wind, across the wind, up; metres
+uniform vec3 eye_position;  // downwind of what moves with the wind, across the wind, up; metres
 uniform float metre;
 
 flat in vec3 to_unit_x;
@@ -23,11 +23,11 @@ flat in vec4 scattered;
 out vec4 depths;
 
 // The share of a normal law below a place, nearly.
-vec4 below(vec4 place) { return smoothstep(-2.0, 2.0, place); }
+vec4 below(vec4 position) { return smoothstep(-2.0, 2.0, position); }
 
 // How much denser or thinner the air's turbulence makes it at a place: long streaks that move with the wind.
 float streaks(vec3 offset) {
-    vec3 at = eye_place + vec3(dot(offset.xy, wind), dot(offset.xy, vec2(-wind.y, wind.x)), offset.z) / metre;
+    vec3 at = eye_position + vec3(dot(offset.xy, wind), dot(offset.xy, vec2(-wind.y, wind.x)), offset.z) / metre;
     float level = texture(noise_map, noise_scale * vec2(at.x / 3.1, at.y / 0.24)).x;
     float upright = texture(noise_map, noise_scale * vec2(at.x / 3.4 + 5.7, (at.z + 0.06 * at.x) / 0.19)).y;
     float sum = clamp(level + 0.8 * upright - 0.3, 0.0, 1.5);

@@ -38,11 +38,11 @@ void main() {
     to_unit_x = along.xyz / along.w;
     to_unit_y = second / across.x;
     to_unit_z = third / across.y;
-    vec3 place = middle.xyz - aside;
-    unit_middle = vec3(dot(to_unit_x, place), dot(to_unit_y, place), dot(to_unit_z, place));
+    vec3 position = middle.xyz - aside;
+    unit_middle = vec3(dot(to_unit_x, position), dot(to_unit_y, position), dot(to_unit_z, position));
 
-    float depth = dot(place, forward);
-    vec2 at = vec2(dot(place, right), dot(place, up)) / (lens * lens) / depth;
+    float depth = dot(position, forward);
+    vec2 at = vec2(dot(position, right), dot(position, up)) / (lens * lens) / depth;
     vec2 a = in_picture(along.xyz * along.w, depth, at);
     vec2 b = in_picture(second * across.x, depth, at);
     vec2 c = in_picture(third * across.y, depth, at);

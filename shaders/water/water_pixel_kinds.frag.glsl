@@ -20,7 +20,7 @@ uniform float nothing_depth;
 out vec4 colour;
 
 void main() {
-    SeenSamples all = seen_samples();
+    PixelSamples all = pixel_samples();
     colour = vec4(all.mean, all.cells);
     float share = tinted < 0.5 ? 0.0 : depth_at(all.mean.xy, level_over(all)) / closed_depth;
     float of_water = share < dry_share ? dry_depth : share < thin_share ? thin_depth : deep_depth;

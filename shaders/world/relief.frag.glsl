@@ -3,7 +3,7 @@
 // octave has as much slope as the next, as rough surfaces have.
 #include "common/noise.glsl"
 
-in vec2 place;
+in vec2 position;
 out vec4 relief;
 
 // Of a corner of the lattice: a slope of its own.
@@ -27,7 +27,7 @@ float noise(vec2 p, int features) {
 
 vec3 octave(int features) {
     const float step = 0.05;
-    vec2 p = place * float(features) + float(features);
+    vec2 p = position * float(features) + float(features);
     float here = noise(p, features);
     return vec3(noise(p + vec2(step, 0.0), features) - here, noise(p + vec2(0.0, step), features) - here, 0.0) / step + vec3(0.0, 0.0, here);
 }

@@ -5,12 +5,12 @@
 
 uniform float features;  // along a side, about seven ripples to each
 
-in vec2 place;
+in vec2 position;
 out vec4 wander;
 
 float noise(float fineness, vec2 aside) {
     float count = floor(fineness * features + 0.5);
-    return periodic_noise(place * count + aside, ivec2(int(count)));
+    return periodic_noise(position * count + aside, ivec2(int(count)));
 }
 
 void main() {

@@ -7,9 +7,9 @@ vec3 rock_roughness(vec2 p, float footprint) {
     vec3 sum = vec3(0.0);
     for (int octave = 0; octave < 4; ++octave) {
         float k = 0.45 * exp2(1.7 * float(octave));
-        float seen = 1.0 - smoothstep(0.2, 0.7, footprint * k);
+        float visible = 1.0 - smoothstep(0.2, 0.7, footprint * k);
         vec3 noise = sloped_gradient_noise(p * k + 17.4 * float(octave));
-        sum += seen * vec3(0.17 * noise.yz, 0.30 * noise.x);
+        sum += visible * vec3(0.17 * noise.yz, 0.30 * noise.x);
     }
     return sum;
 }
@@ -24,30 +24,30 @@ struct Wall {
 
 // Beds about so thick, and blocks in them: hard beds stand out, and joints, of which some are open, stand across the wall.
 void add_beds(inout Wall wall, vec3 at, float height, vec2 across, float thickness, float footprint) {
-    float seen = 1.0 - smoothstep(0.35, 0.9, footprint / thickness);
-    float place = height / thickness;
-    int bed = int(floor(place));
+    float visible = 1.0 - smoothstep(0.35, 0.9, footprint / thickness);
+    float position = height / thickness;
+    int bed = int(floor(position));
     float hard = hash(ivec2(bed, 71));
     float harder = hash(ivec2(bed + 1, 71)) - hard;  // the next one
     float width = clamp(1.5 * footprint / thickness, 0.3, 1.0);
-    float t = clamp((fract(place) - 1.0 + width) / width, 0.0, 1.0);
-    wall.rise += seen * 1.5 * harder * t * (1.0 - t) / width;
-    wall.lighter += seen * 0.5 * (hard + harder * t * t * (3.0 - 2.0 * t) - 0.5);
+    float t = clamp((fract(position) - 1.0 + width) / width, 0.0, 1.0);
+    wall.rise += visible * 1.5 * harder * t * (1.0 - t) / width;
+    wall.lighter += visible * 0.5 * (hard + harder * t * t * (3.0 - 2.0 * t) - 0.5);
 
     float size = thickness * (1.2 + 1.6 * hash(ivec2(bed, 29)));
     vec2 joints = at.xy / size + 40.0 * vec2(hash(ivec2(bed, 5)), hash(ivec2(bed, 11)));
-    vec3 bend = sloped_noise(joints + vec2(0.0, 0.5 * place));
+    vec3 bend = sloped_noise(joints + vec2(0.0, 0.5 * position));
     joints += vec2(0.25 * bend.x, 0.1 * (bend.y + bend.z));
     vec2 joint = floor(joints + 0.5);
     vec2 opened = smoothstep(vec2(0.4), vec2(0.9), vec2(hash(ivec2(joint.x, 3 * bed)), hash(ivec2(joint.y, 3 * bed + 1))));
     float wide = 0.03 * sqrt(thickness);
     float open = max(wide, 0.5 * footprint) / size;
     vec2 lines = across * opened * (1.0 - smoothstep(vec2(0.5 * open), vec2(2.5 * open), abs(joints - joint)));
-    wall.crack = max(wall.crack, seen * min(1.5 * wide / (open * size), 1.0) * max(lines.x, lines.y));
+    wall.crack = max(wall.crack, visible * min(1.5 * wide / (open * size), 1.0) * max(lines.x, lines.y));
     ivec2 block = ivec2(floor(joints)) + ivec2(37 * bed, 101 * bed);
     vec2 lean = vec2(hash(block), hash(block + ivec2(0, 977))) - 0.5;
-    wall.lighter += seen * 0.1 * lean.x;
-    wall.facet += seen * 0.25 * lean;
+    wall.lighter += visible * 0.1 * lean.x;
+    wall.facet += visible * 0.25 * lean;
 }
 
 // A normal on rock, and how its colour changes, in the part `share` of a sample that is rock.

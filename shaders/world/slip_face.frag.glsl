@@ -7,7 +7,7 @@
 uniform vec2 size;    // across the face, and up it
 uniform vec2 texels;  // along both sides
 
-in vec2 place;
+in vec2 position;
 out vec4 face;
 
 const int salts = 4;
@@ -62,7 +62,7 @@ vec2 face_at(vec2 at) {
 }
 
 void main() {
-    vec2 here = face_at(place * size);
+    vec2 here = face_at(position * size);
     vec2 slope = vec2(dFdx(here.x), dFdy(here.x)) * texels / size;
     face = vec4(0.5 + 1.25 * slope, 0.5 + 0.5 * here.y, 1.0);
 }

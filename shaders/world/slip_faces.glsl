@@ -34,19 +34,19 @@ Sixteenth sixteenth_of(vec2 way) {
 // Slope of them, east and north, and how much lighter they are. They run straight down the faces of sixteen directions;
 // between two of these both are mixed. Along a face that turns, tongues of its own direction would slip. `across`: a unit
 // vector along the face, uphill to its left.
-vec3 tongues(SeenPlace at, vec2 across) {
+vec3 tongues(SurfacePoint at, vec2 across) {
     const float up_the_face = 1.85;  // of a height, at the angle of repose
     const mat2 next = mat2(0.92387953, 0.38268343, -0.38268343, 0.92387953);
     Sixteenth own = sixteenth_of(across);
     float share = smoothstep(0.35, 0.65, own.share);
-    vec3 place = in_metres(at.offset);
+    vec3 position = in_metres(at.offset);
     vec2 per_metre = 1.0 / slip_size;
     vec2 scale = vec2(textureSize(slip_map, 0)) * per_metre * metres(1.0);
     vec2 level = own.begin;
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 2; ++i) {
         float number = own.number + float(i);
-        vec2 on_face = vec2(dot(place.xy, level), up_the_face * place.z);
+        vec2 on_face = vec2(dot(position.xy, level), up_the_face * position.z);
         vec2 along = scale * vec2(dot(at.along.xy, level), up_the_face * at.along.z);
         vec2 up = scale * vec2(dot(at.up.xy, level), up_the_face * at.up.z);
         float a = dot(along, along);

@@ -11,18 +11,18 @@
 #include "world/world_position.glsl"
 #include "world/world.glsl"
 
-vec4 far_colour(SeenPlace at) {
-    GroundCopy copy = copy_at(at);
-    vec2 place = bed_place(at, copy);
-    vec2 along = map_way(at.along.xy);
-    vec2 up = map_way(at.up.xy);
+vec4 far_colour(SurfacePoint at) {
+    WarpedGround copy = warp_at(at);
+    vec2 position = bed_position(at, copy);
+    vec2 along = map_offset(at.along.xy);
+    vec2 up = map_offset(at.up.xy);
     vec3 to_eye = -normalize(at.offset);
-    vec4 sand = sand_colour(at, place);
-    vec2 surface = textureGrad(surface_map, place, along, up).rg;
+    vec4 sand = sand_colour(at, position);
+    vec2 surface = textureGrad(surface_map, position, along, up).rg;
     vec2 share = uneven_share(sand.a, surface.g);
     vec3 uneven = share.x * unevenness(sand.a) * relief(at, sand.a);
-    float rocky = has_rock() ? weathered(place) : 0.0;
-    BedPoint point = copied(slanting_bed_point(place, along, up), at, copy);
+    float rocky = has_rock() ? weathered(position) : 0.0;
+    BedPoint point = warped(slanting_bed_point(position, along, up), at, copy);
     vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
     if (has_rock()) share.y *= level_share(length(slope), rocky);
     vec3 albedo = albedo_of(sand, share.y * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z);
@@ -33,7 +33,7 @@ vec4 far_colour(SeenPlace at) {
     float spread = 0.7 * ripple_slope * standing * dot(facing_of(slope), to_sun.xy);
     float n_dot_l = mean_facing(dot(point.normal, to_sun), spread);
     float direct = roughened(point.sun * n_dot_l, point.normal, to_eye, least_facing(rocky));
-    return seen(ground_light_of(albedo, direct, point, to_eye, 1.0), at, to_eye, point.sun);
+    return colour_at_eye(ground_light_of(albedo, direct, point, to_eye, 1.0), at, to_eye, point.sun);
 }
 
-void main() { colour = is_left_out(far_ground) ? vec4(0.0) : far_colour(far_place()); }
+void main() { colour = is_other_ground(far_ground) ? vec4(0.0) : far_colour(far_surface_point()); }

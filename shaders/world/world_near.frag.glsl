@@ -16,10 +16,10 @@ uniform sampler2D wander_map;  // of world/ripple_wander.frag.glsl
 uniform float wander_scale;    // of its side, a ripple's length
 uniform float exaggeration;  // of heights
 uniform float least_slip_slope;     // of ground that is true to nature: on none that falls less sand slid
-uniform float sliding_from;  // by its slope in the bed's maps: on none that is less steep
+uniform float min_avalanche_slope;  // by its slope in the bed's maps: on none that is less steep
 uniform float ripple_phase;  // of the eye's place, in turns
 
-// Of pixels that PixelKinds tell apart.
+// Of pixels that PixelClasses tell apart.
 uniform float plain_sand;  // 1: of plain ones alone
 uniform float slid_sand;   // 0: of those alone on which no sand slid
 
@@ -38,8 +38,8 @@ struct Wander {
     float patches;  // 0 … 1, wide ones
 };
 
-Wander wander_at(vec2 place) {
-    vec4 texel = texture(wander_map, place);
+Wander wander_at(vec2 position) {
+    vec4 texel = texture(wander_map, position);
     Wander wander;
     wander.turns = 10.0 * texel.x - 5.0;
     wander.second = 4.0 * texel.yz - 2.0;
@@ -62,8 +62,8 @@ vec2 wave_of(Wander wander, float phase) {
 float profile(float c) { return c * (0.7 + 0.4 * c * c) - 0.3 * (2.0 * c * c - 1.0); }
 
 // Grains that mirror the sun to the eye, seldom ones: each in a cell of its own on the ground, a few pixels wide or more.
-float glints(SeenPlace at, vec3 to_eye) {
-    vec2 reach = seen_by_pixels * (abs(at.along.xy) + abs(at.up.xy));
+float glints(SurfacePoint at, vec3 to_eye) {
+    vec2 reach = pixel_footprint_scale * (abs(at.along.xy) + abs(at.up.xy));
     float size = log2(max(2.5 * metres(max(reach.x, reach.y)), 0.004));
     vec3 halfway = normalize(to_sun + to_eye);
     vec2 wanted = halfway.xy / max(halfway.z, 0.2);
@@ -71,9 +71,9 @@ float glints(SeenPlace at, vec3 to_eye) {
     float sum = 0.0;
     for (int i = 0; i < 2; ++i) {
         float octave = floor(size) + float(i);
-        vec2 place = ground * exp2(-octave);
-        ivec2 cell = ivec2(floor(place));
-        vec2 from_middle = place - floor(place) - 0.5;
+        vec2 position = ground * exp2(-octave);
+        ivec2 cell = ivec2(floor(position));
+        vec2 from_middle = position - floor(position) - 0.5;
         vec2 facet = vec2(hash(cell + ivec2(911, 37)), hash(cell + ivec2(13, 709)));
         float aligned = 1.0 - smoothstep(0.02, 0.08, distance(1.6 * facet - 0.8, wanted));
         float spot = 1.0 - smoothstep(0.10, 0.40, length(from_middle - 0.4 * (fract(7.0 * facet) - 0.5)));
@@ -83,7 +83,7 @@ float glints(SeenPlace at, vec3 to_eye) {
 }
 
 // What is finer than relief() has it: slope and how much lighter.
-vec3 fine_relief(SeenPlace at) {
+vec3 fine_relief(SurfacePoint at) {
     const mat2 turned = mat2(0.6, 0.8, -0.8, 0.6);
     float scale = 1.0 / (9.0 * ripple_length);
     float along = dot(at.along.xy, at.along.xy);
@@ -102,10 +102,10 @@ struct Slope {
     vec2 across;
 };
 
-Slope slope_at(vec2 place, float level, SeenPlace at, GroundCopy copy) {
+Slope slope_at(vec2 position, float level, SurfacePoint at, WarpedGround copy) {
     Slope slope;
-    slope.point = bed_point(textureLod(lighting_map, place, level));
-    if (plain_sand < 0.5) slope.point = copied(slope.point, at, copy);
+    slope.point = bed_point(textureLod(lighting_map, position, level));
+    if (plain_sand < 0.5) slope.point = warped(slope.point, at, copy);
     slope.rise = -slope.point.normal.xy / max(slope.point.normal.z, 0.1);
     slope.steep = length(slope.rise);
     slope.across = vec2(-slope.rise.y, slope.rise.x) / max(slope.steep, 0.1);
@@ -153,16 +153,16 @@ Lit mean_of(Lit one, Lit other) {
     return mean;
 }
 
-vec4 near_colour(SeenPlace at) {
+vec4 near_colour(SurfacePoint at) {
     vec3 offset = at.offset;
-    GroundCopy copy = as_it_is;
-    if (plain_sand < 0.5) copy = copy_at(at);
-    vec2 place = bed_place(at, copy);
-    vec2 place_along = map_way(at.along.xy);
-    vec2 place_up = map_way(at.up.xy);
+    WarpedGround copy = unwarped;
+    if (plain_sand < 0.5) copy = warp_at(at);
+    vec2 position = bed_position(at, copy);
+    vec2 position_along = map_offset(at.along.xy);
+    vec2 position_up = map_offset(at.up.xy);
     vec3 to_eye = -normalize(offset);
-    vec4 sand = sand_colour(at, place);
-    vec2 surface = textureLod(surface_map, place, coarseness(at, texels_of(textureSize(surface_map, 0).x))).rg;
+    vec4 sand = sand_colour(at, position);
+    vec2 surface = textureLod(surface_map, position, coarseness(at, texels_of(textureSize(surface_map, 0).x))).rg;
     float open = surface.r;
     vec2 share = uneven_share(sand.a, surface.g);
     vec3 uneven = share.x * unevenness(sand.a) * (relief(at, sand.a) + 0.5 * fine_relief(at));
@@ -172,34 +172,34 @@ vec4 near_colour(SeenPlace at) {
     Wander wander = wander_at(wander_scale * vec2(dot(whole, wind), 0.75 * dot(whole, lee)));
     float phase = turns(offset) + ripple_phase + wander.turns;
     float footprint = abs(turns(at.along)) + abs(turns(at.up));
-    if (whole_pixels > 0.5) footprint *= 0.5 / crisp;
+    if (single_surface_pixels > 0.5) footprint *= 0.5 / crisp;
     float resolved = 1.0 - smoothstep(0.05, 0.3, footprint);
 
     // The sun's share, a mean over both halves of the pixel: no loop, of whose body llvmpipe does all each time.
     vec2 texels = vec2(textureSize(lighting_map, 0));
-    float level = log2(max(max(length(place_along * texels), length(place_up * texels)) * (whole_pixels > 0.5 ? 0.5 / crisp : 1.0), 1.0));
+    float level = log2(max(max(length(position_along * texels), length(position_up * texels)) * (single_surface_pixels > 0.5 ? 0.5 / crisp : 1.0), 1.0));
     if (plain_sand > 0.5) level = 0.0;
-    vec3 to_half = whole_pixels > 0.5 ? (0.25 / crisp) * (at.up - at.along) : vec3(0.0);
-    vec2 aside = plain_sand > 0.5 ? vec2(0.0) : map_way(to_half.xy);
-    Slope slope = slope_at(place + aside, level, at, copy);
+    vec3 to_half = single_surface_pixels > 0.5 ? (0.25 / crisp) * (at.up - at.along) : vec3(0.0);
+    vec2 aside = plain_sand > 0.5 ? vec2(0.0) : map_offset(to_half.xy);
+    Slope slope = slope_at(position + aside, level, at, copy);
     // Wind that reaches a slope smooths it, but not at the angle of repose.
     float smoothed = smoothstep(0.0, 0.3, open) * (1.0 - smoothstep(0.54, 0.64, slope.steep));
     float true_size = 1.0 / exaggeration;
-    float slid = surface.g * smoothstep(sliding_from, 0.56, slope.steep * true_size) * smoothstep(least_slip_slope, sliding_from, fall_at(at) * true_size) * sand.a * (1.0 - 0.85 * smoothed) * (1.0 - plain * rock);
+    float slid = surface.g * smoothstep(min_avalanche_slope, 0.56, slope.steep * true_size) * smoothstep(least_slip_slope, min_avalanche_slope, fall_at(at) * true_size) * sand.a * (1.0 - 0.85 * smoothed) * (1.0 - plain * rock);
     vec3 tongue = vec3(0.0);
     if (slid_sand > 0.5) tongue = slid * tongues(at, slope.across);
     Sand here = Sand(wander.height, phase, resolved, sand.a, open, tongue.xy + uneven.xy);
     Lit lit = lit_part(slope, to_half, here, wander);
-    if (whole_pixels > 0.5) {
+    if (single_surface_pixels > 0.5) {
         Slope other = slope;
-        if (plain_sand < 0.5) other = slope_at(place - aside, level, at, copy);
+        if (plain_sand < 0.5) other = slope_at(position - aside, level, at, copy);
         lit = mean_of(lit, lit_part(other, -to_half, here, wander));
     }
     BedPoint mean = lit.point;
     float direct = lit.direct;
     // Crests are of coarser, paler grains.
     float crest = ripple_slope * lit.standing * resolved * lit.trough;
-    float rocky = has_rock() ? weathered(place) : 0.0;
+    float rocky = has_rock() ? weathered(position) : 0.0;
     if (has_rock()) share.y *= level_share(slope.steep, rocky);
     vec3 albedo = albedo_of(sand, share.y * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z + 0.15 * tongue.z + 0.2 * crest);
     if (has_rock()) {
@@ -216,7 +216,7 @@ vec4 near_colour(SeenPlace at) {
     mean.sky *= 1.0 + 0.4 * ripple_slope * lit.standing * resolved * (lit.trough - 1.0);
     vec3 light = ground_light_of(albedo, direct, mean, to_eye, 1.0);
     light += sun_light * (0.4 * sand_grain * sand.a * mean.sun * glints(at, to_eye));
-    return seen(light, at, to_eye, mean.sun);
+    return colour_at_eye(light, at, to_eye, mean.sun);
 }
 
-void main() { colour = is_left_out(near_ground) ? vec4(0.0) : near_colour(near_place()); }
+void main() { colour = is_other_ground(near_ground) ? vec4(0.0) : near_colour(near_surface_point()); }

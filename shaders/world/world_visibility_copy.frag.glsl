@@ -10,8 +10,8 @@ out vec4 visibility;
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     if (ground_at(at) != ground) discard;
-    visibility = seen_at(at);
+    visibility = visibility_at(at);
     if (ground == far_ground) visibility.w = -visibility.w;
     float share = depth_range.y / (depth_range.y - depth_range.x);
-    gl_FragDepth = share - share * nearness_at(at);
+    gl_FragDepth = share - share * reversed_z_at(at);
 }

@@ -339,7 +339,7 @@ Image FilmPainter::picture(std::size_t run, const PartOfFrame& shown) {
         const std::size_t number = bed_of(run, sight.moment);
         const Camera camera = camera_of(stage_, sight.pose);
         pane.overlays->draw(image, {*pane.beds->snapshot(number), pane.rows[number],
-                                    pane.renderer->drawn_colours(), &camera});
+                                    pane.renderer->frame_colour_range(), &camera});
     }
     return image;
 }
@@ -370,7 +370,7 @@ void FilmPainter::write_over(Image& image, const PartOfFrame& shown) {
     const Pane& pane = panes_.front();
     const Camera camera = camera_of(stage_, shot.pose_at(shown.share));
     overlays_->draw(image, {*pane.beds->snapshot(number), pane.rows[number],
-                            pane.renderer->drawn_colours(), &camera, layout_.size().height});
+                            pane.renderer->frame_colour_range(), &camera, layout_.size().height});
 }
 
 Image FilmPainter::paint(std::int64_t frame) {

@@ -80,7 +80,7 @@ class EglContext final : public Context {
     }
     ~EglContext() override {
         set_functions(nullptr);
-        if (drivers_are_left_alone()) return;
+        if (drivers_are_abandoned()) return;
         egl_library().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         egl_library().destroy_context(display_, handle_);
     }

@@ -12,7 +12,7 @@ namespace fumon::gl {
 namespace {
 
 thread_local const Functions* current = nullptr;
-std::atomic<bool> left_alone = false;
+std::atomic<bool> abandoned = false;
 
 std::string_view error_name(GLenum error) {
     switch (error) {
@@ -64,12 +64,12 @@ void check_errors(const char* where) {
     throw Error(fmt::format("OpenGL failed in {}: {} (0x{:04x})", where, error_name(error), error));
 }
 
-void leave_drivers_alone() noexcept {
-    left_alone = true;
+void abandon_drivers() noexcept {
+    abandoned = true;
 }
 
-bool drivers_are_left_alone() noexcept {
-    return left_alone;
+bool drivers_are_abandoned() noexcept {
+    return abandoned;
 }
 
 }  // namespace fumon::gl

@@ -105,9 +105,9 @@ void check_errors(const char* where);
 /// From now on nothing is given back to any driver: an exception that says that memory has ended
 /// may have come through one, whose locks it left behind, and the next call would wait for them for
 /// ever. May be called wherever memory ends.
-void leave_drivers_alone() noexcept;
+void abandon_drivers() noexcept;
 
-/// Whether leave_drivers_alone() has been called.
-bool drivers_are_left_alone() noexcept;
+/// Whether abandon_drivers() has been called.
+bool drivers_are_abandoned() noexcept;
 
 }  // namespace fumon::gl

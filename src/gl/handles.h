@@ -12,7 +12,7 @@ class Handle {
   public:
     Handle() : name_(Kind::make()) {}
     ~Handle() {
-        if (name_ != 0 && !drivers_are_left_alone()) Kind::destroy(name_);
+        if (name_ != 0 && !drivers_are_abandoned()) Kind::destroy(name_);
     }
     Handle(const Handle&) = delete;
     Handle& operator=(const Handle&) = delete;

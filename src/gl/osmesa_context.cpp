@@ -64,7 +64,7 @@ class OsmesaContext final : public Context {
     }
     ~OsmesaContext() override {
         set_functions(nullptr);
-        if (drivers_are_left_alone()) return;
+        if (drivers_are_abandoned()) return;
         osmesa_library().make_current(nullptr, nullptr, 0, 0, 0);
         osmesa_library().destroy(handle_);
     }

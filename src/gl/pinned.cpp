@@ -88,7 +88,7 @@ const std::vector<std::string>& overridden_by_pinning() {
     return pinning().overridden;
 }
 
-std::string why_not_pinned([[maybe_unused]] const std::string& renderer) {
+std::string pinning_obstacle([[maybe_unused]] const std::string& renderer) {
 #if !defined(__x86_64__)
     return "the processor is no x86-64";
 #else

@@ -20,6 +20,6 @@ void pin_rendering();
 
 /// Why pinning does not fix this renderer's pixels on this processor; empty if it does. It works
 /// for llvmpipe on x86-64 with SSE4.1 only.
-[[nodiscard]] std::string why_not_pinned(const std::string& renderer);
+[[nodiscard]] std::string pinning_obstacle(const std::string& renderer);
 
 }  // namespace fumon::gl

@@ -50,7 +50,7 @@ class Stage {
         throw Error(fmt::format("shaders/{} does not compile{}: {}", file, key, report.data()));
     }
     ~Stage() {
-        if (!drivers_are_left_alone()) functions().DeleteShader(shader_);
+        if (!drivers_are_abandoned()) functions().DeleteShader(shader_);
     }
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;

@@ -27,7 +27,7 @@ Texture2D::Texture2D(int width, int height, const TextureLayout& layout, const v
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, layout.wrap);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, layout.wrap);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL,
-                     layout.minification == 0 ? 0 : layout.coarsest);
+                     layout.minification == 0 ? 0 : layout.coarsest_mip_level);
 }
 
 void Texture2D::upload(const void* pixels) const {
@@ -37,8 +37,8 @@ void Texture2D::upload(const void* pixels) const {
     gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, layout_.format, layout_.type, pixels);
 }
 
-void Texture2D::upload_part(const glm::ivec2& low, const glm::ivec2& size, std::size_t row,
-                            const void* pixels) const {
+void Texture2D::upload_region(const glm::ivec2& low, const glm::ivec2& size, std::size_t row,
+                              const void* pixels) const {
     const Functions& gl = functions();
     gl.BindTexture(GL_TEXTURE_2D, texture_.name());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -56,9 +56,10 @@ void Texture2D::set_mipmap(int level, const void* pixels) const {
                   layout_.format, layout_.type, pixels);
 }
 
-int Texture2D::coarsest() const {
+int Texture2D::coarsest_mip_level() const {
     int level = 0;
-    while (level < layout_.coarsest && std::max(width_, height_) >> (level + 1) > 0) ++level;
+    while (level < layout_.coarsest_mip_level && std::max(width_, height_) >> (level + 1) > 0)
+        ++level;
     return level;
 }
 
@@ -66,22 +67,22 @@ glm::ivec2 Texture2D::size(int level) const {
     return {std::max(width_ >> level, 1), std::max(height_ >> level, 1)};
 }
 
-void Texture2D::make_room_for_mipmaps() const {
+void Texture2D::allocate_mipmaps() const {
     if (has_mipmaps_) return;
     has_mipmaps_ = true;
-    for (int level = 1; level <= coarsest(); ++level) set_mipmap(level, nullptr);
+    for (int level = 1; level <= coarsest_mip_level(); ++level) set_mipmap(level, nullptr);
 }
 
-void Texture2D::bind_level(int level, int unit) const {
+void Texture2D::bind_mip_level(int level, int unit) const {
     bind(unit);
     functions().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, level);
     functions().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level);
 }
 
-void Texture2D::bind_all_levels(int unit) const {
+void Texture2D::bind_all_mip_levels(int unit) const {
     bind(unit);
     functions().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
-    functions().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, layout_.coarsest);
+    functions().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, layout_.coarsest_mip_level);
 }
 
 void Texture2D::bind(int unit) const {

@@ -16,7 +16,7 @@ struct TextureLayout {
     GLint filter = GL_LINEAR;  ///< magnification, and minification without mipmaps
     GLint minification = 0;    ///< 0: as `filter`
     GLint wrap = GL_CLAMP_TO_EDGE;
-    GLint coarsest = 1000;  ///< of its mipmaps, the coarsest that is looked at
+    GLint coarsest_mip_level = 1000;  ///< of its mipmaps, the coarsest that is looked at
 };
 
 /// A 2-D texture of a fixed size.
@@ -27,18 +27,18 @@ class Texture2D {
 
     void upload(const void* pixels) const;  ///< replaces all of it
     /// Replaces a part of it; `row`: texels from one row of `pixels` to the next.
-    void upload_part(const glm::ivec2& low, const glm::ivec2& size, std::size_t row,
-                     const void* pixels) const;
+    void upload_region(const glm::ivec2& low, const glm::ivec2& size, std::size_t row,
+                       const void* pixels) const;
     void set_mipmap(int level, const void* pixels) const;
     void bind(int unit) const;  ///< to texture unit `unit`
 
     /// The mipmaps that there may be, down to one texel or the layout's coarsest.
-    [[nodiscard]] int coarsest() const;
+    [[nodiscard]] int coarsest_mip_level() const;
     [[nodiscard]] glm::ivec2 size(int level) const;
     /// Gives them storage, once; MipmapMaker fills it.
-    void make_room_for_mipmaps() const;
-    void bind_level(int level, int unit) const;  ///< that one alone is looked up
-    void bind_all_levels(int unit) const;
+    void allocate_mipmaps() const;
+    void bind_mip_level(int level, int unit) const;  ///< that one alone is looked up
+    void bind_all_mip_levels(int unit) const;
 
     [[nodiscard]] GLuint name() const { return texture_.name(); }
     [[nodiscard]] int width() const { return width_; }

@@ -10,14 +10,14 @@ namespace fumon {
 
 namespace {
 
-constexpr int samples_in_a_band = 1 << 18;  // read at once: 1 MiB
-constexpr int background_in_a_band = 1 << 18;
+constexpr int samples_per_band = 1 << 18;  // read at once: 1 MiB
+constexpr int background_pixels_per_band = 1 << 18;
 
 }  // namespace
 
 void BytePicture::read_background(const Tile& tile, RowOrder order) {
     const auto width = static_cast<std::size_t>(tile.width);
-    const int band = std::max(1, background_in_a_band / tile.width);
+    const int band = std::max(1, background_pixels_per_band / tile.width);
     std::vector<std::uint8_t> rgba(4 * width *
                                    static_cast<std::size_t>(std::min(band, tile.height)));
     behind_.assign(static_cast<std::size_t>(tile.height), ColourPlanes(tile.width));
@@ -43,16 +43,16 @@ void BytePicture::resolve(const Tile& tile, int factor, const glm::ivec2& from, 
                           Image& image) {
     const int columns = tile.width * factor;
     const auto length = static_cast<std::size_t>(columns);
-    const int band = std::max(1, samples_in_a_band / (columns * factor));  // rows of pixels
+    const int band = std::max(1, samples_per_band / (columns * factor));  // rows of pixels
     samples_read_.resize(length * static_cast<std::size_t>(band * factor) +
-                         RowOfSamples::samples_read_beyond);
+                         RowResolver::samples_read_beyond);
     for (int upper = 0; upper < tile.height; upper += band) {
         const int rows = std::min(band, tile.height - upper);
         const int lowest = from.y + (tile.height - upper - rows) * factor;
         gl::functions().ReadPixels(from.x, lowest, columns, rows * factor, GL_RGBA,
                                    GL_UNSIGNED_INT_8_8_8_8_REV, samples_read_.data());
         pool.for_ranges(rows, [&](int begin, int end) {
-            RowOfSamples row(tile.width, factor);
+            RowResolver row(tile.width, factor);
             for (int y = begin; y < end; ++y) {
                 const int first_above = (rows - 1 - y) * factor;
                 const auto above = static_cast<std::size_t>(first_above);
@@ -69,11 +69,11 @@ void BytePicture::resolve(const Tile& tile, int factor, const PackedSamples& sam
     const std::size_t length =
         static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(factor);
     pool.for_ranges(tile.height, [&](int begin, int end) {
-        RowOfSamples row(tile.width, factor);
+        RowResolver row(tile.width, factor);
         std::vector<std::uint32_t> read(length * static_cast<std::size_t>(factor) +
-                                        RowOfSamples::samples_read_beyond);
+                                        RowResolver::samples_read_beyond);
         for (int y = begin; y < end; ++y) {
-            samples.put_row(tile.height - 1 - y, read.data());
+            samples.write_row(tile.height - 1 - y, read.data());
             for (int j = 0; j < factor; ++j)
                 row.add(read.data() + length * static_cast<std::size_t>(j));
             finish(tile, y, row, image);
@@ -81,13 +81,13 @@ void BytePicture::resolve(const Tile& tile, int factor, const PackedSamples& sam
     });
 }
 
-void BytePicture::finish(const Tile& tile, int y, RowOfSamples& row, Image& image) const {
+void BytePicture::finish(const Tile& tile, int y, RowResolver& row, Image& image) const {
     const auto first =
         static_cast<std::size_t>(tile.y + y) * static_cast<std::size_t>(image.width) +
         static_cast<std::size_t>(tile.x);
     std::uint8_t* rgb = image.rgb.data() + 3 * first;
     if (image.transparent()) {
-        row.finish_open(rgb, image.alpha.data() + first);
+        row.finish_transparent(rgb, image.alpha.data() + first);
     } else {
         row.finish(behind_[static_cast<std::size_t>(y)], rgb);
     }

@@ -7,7 +7,7 @@
 #include "base/image.h"
 #include "render/background/background_layer.h"
 #include "render/samples/packed_samples.h"
-#include "render/samples/sample_vectors.h"
+#include "render/samples/resolve_vectors.h"
 #include "render/view/tiles.h"
 
 namespace fumon {
@@ -31,7 +31,7 @@ class BytePicture {
 
   private:
     /// Takes a row of the tile, counted from the upper one, whose samples have been added.
-    void finish(const Tile& tile, int y, RowOfSamples& row, Image& image) const;
+    void finish(const Tile& tile, int y, RowResolver& row, Image& image) const;
 
     std::vector<ColourPlanes> behind_;         // rows of the surroundings, the upper first
     std::vector<std::uint32_t> samples_read_;  // those of a few rows of pixels

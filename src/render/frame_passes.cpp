@@ -78,14 +78,14 @@ std::span<const Pass<TileDrawing>> sample_passes() {
     static constexpr std::array<Pass<T>, 22> passes{{
         // name                          needed             writes               done by                             reads
         {"background",                   &T::behind_first,  {background},        &T::draw_background,                {light}},
-        {"rasterise ground, vectors",    &T::in_buffer,     {visibility_buffer}, &T::rasterise_world_buffer,         {ground_mesh}},
+        {"rasterise ground, vectors",    &T::has_visibility_buffer,     {visibility_buffer}, &T::rasterise_world_buffer,         {ground_mesh}},
         {"clear visibility",             &T::in_target,     {visibility},        &T::clear_visibility,               nothing},
         {"copy visibility",              &T::copied,        {visibility},        &T::copy_visibility,                {visibility_buffer}},
         {"rasterise ground, OpenGL",     &T::world_target,  {visibility},        &T::rasterise_world,                {ground_mesh}},
         {"rasterise block, OpenGL",      &T::of_block,      {visibility},        &T::rasterise_block,                {ground_mesh}},
         {"streamers",                    &T::streamed,      {streamed_light},    &T::draw_streamers,                 {visibility, instances, light}},
         {"shade water",                  &T::water_pixels,  {water_colours},     &T::shade_water_samples,            {visibility, bed_maps, light}},
-        {"shade whole pixels",           &T::whole_pixels,  {pixel_colours},     &T::shade_world_pixels,             {visibility_buffer, bed_maps, bed_colours, streamed_light, light}},
+        {"shade whole pixels",           &T::single_surface_pixels,  {pixel_colours},     &T::shade_world_pixels,             {visibility_buffer, bed_maps, bed_colours, streamed_light, light}},
         {"shade edges",                  &T::packed,        {edge_colours},      &T::shade_world_edges,              {visibility_buffer, visibility, pixel_colours, bed_maps, bed_colours, streamed_light, light}},
         {"clear samples",                &T::unpacked,      {sample_colours},    &T::clear_samples,                  nothing},
         {"background behind samples",    &T::behind_lens,   {sample_colours},    &T::draw_background_behind_samples, {visibility, streamed_light, light}},

@@ -21,7 +21,7 @@ enum class Target : unsigned {
     // Of a tile.
     visibility_buffer,  ///< what samples of endless ground see, in memory
     visibility,         ///< what samples see, with depths and stencils: FrameTargets
-    coverage,           ///< what samples of a block alone see, in memory: BlockSamples
+    coverage,           ///< what samples of a block alone see, in memory: BlockRasteriser
     streamed_light,     ///< what blown sand does to each pixel's light: StreamerLayer
     water_colours,      ///< of the surface of a block with water, by pixels: WaterBlockPass
     pixel_colours,      ///< of whole pixels of endless ground: FrameTargets

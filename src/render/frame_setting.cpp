@@ -6,10 +6,10 @@
 
 #include "gl/functions.h"
 #include "render/light/light.h"
-#include "render/samples/seen_buffer.h"
-#include "render/view/chosen_ground.h"
+#include "render/samples/visibility_buffer.h"
 #include "render/view/display_bed.h"
 #include "render/view/framing.h"
+#include "render/view/ground_choice.h"
 #include "render/view/repeated_bed.h"
 #include "render/view/shown_snapshot.h"
 #include "render/view/water.h"
@@ -38,9 +38,10 @@ int chosen_refinement(const View& view, const Snapshot& first, const Snapshot& g
     return std::clamp(static_cast<int>(most), 1, wanted);
 }
 
-std::optional<PlainAround> plain_of(const View& view, const Snapshot& first, WorkerPool& pool) {
-    if (view.look.ground != Ground::endless || !ends_somewhere(first)) return std::nullopt;
-    return PlainAround(first, pool);
+std::optional<SurroundingPlain> plain_of(const View& view, const Snapshot& first,
+                                         WorkerPool& pool) {
+    if (view.look.ground != Ground::endless || !is_bounded(first)) return std::nullopt;
+    return SurroundingPlain(first, pool);
 }
 
 TilePlan plan_of(const View& view, const RenderLimits& limits) {
@@ -60,12 +61,12 @@ SampleRectangle samples_of(const TilePlan& plan) {
 }  // namespace
 
 FrameSetting::FrameSetting(const View& view_, const Snapshot& first_, std::int64_t last_step_,
-                           const RenderLimits& limits, PixelKind wanted_, WorkerPool& pool)
+                           const RenderLimits& limits, PixelFormat wanted_, WorkerPool& pool)
     : view(with_chosen_ground(view_, first_)),
       first(shown_first(drawable(first_), view)),
       last_step(last_step_),
       wanted(wanted_),
-      kind(lens() ? PixelKind::radiance : wanted_),
+      kind(lens() ? PixelFormat::radiance : wanted_),
       block(framed_block(view, first)),
       plain(plain_of(view, first, pool)),
       first_in_plain(plain ? std::optional(plain->around(first)) : std::nullopt),
@@ -75,7 +76,7 @@ FrameSetting::FrameSetting(const View& view_, const Snapshot& first_, std::int64
       origin(endless() && !plain
                  ? origin_around(camera_at(0), block, first.bed.nx(), first.bed.ny())
                  : DrawnOrigin{}),
-      copies(far_copies_of(view, block, first)),
+      copies(tile_warp_of(view, block, first)),
       plan(plan_of(view, limits)) {}
 
 Snapshot FrameSetting::shown_first(const Snapshot& first, const View& view) {
@@ -89,12 +90,12 @@ Camera FrameSetting::camera_at(std::int64_t step) const {
 
 bool FrameSetting::rasterises_in_buffer() const {
     return endless() && !lens() && view.camera.projection == Projection::perspective &&
-           SeenBuffer::holds(samples_of(plan));
+           VisibilityBuffer::holds(samples_of(plan));
 }
 
 FloorMap FrameSetting::floor(WorkerPool& pool) const {
-    const bool seen = view.look.mode == ViewMode::scenic && !endless() && !open();
-    if (!seen) return open_floor();
+    const bool has_floor = view.look.mode == ViewMode::scenic && !endless() && !open();
+    if (!has_floor) return open_floor();
     return floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool);
 }
 

@@ -5,14 +5,14 @@
 
 #include "base/snapshot.h"
 #include "gl/program.h"
-#include "render/colour/pixel_kind.h"
+#include "render/colour/pixel_format.h"
 #include "render/light/floor_map.h"
 #include "render/renderer.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/drawn_origin.h"
-#include "render/view/far_copies.h"
-#include "render/view/plain_around.h"
+#include "render/view/surrounding_plain.h"
+#include "render/view/tile_warp.h"
 #include "render/view/tiles.h"
 #include "scene/scene.h"
 
@@ -25,7 +25,7 @@ class WorkerPool;
 struct FrameSetting {
     /// As Renderer().
     FrameSetting(const View& view_, const Snapshot& first_, std::int64_t last_step_,
-                 const RenderLimits& limits, PixelKind wanted_, WorkerPool& pool);
+                 const RenderLimits& limits, PixelFormat wanted_, WorkerPool& pool);
 
     /// The first snapshot as it is shown.
     [[nodiscard]] static Snapshot shown_first(const Snapshot& first, const View& view);
@@ -51,16 +51,17 @@ struct FrameSetting {
     View view;  ///< whose sun is that of the last picture
     Snapshot first;
     std::int64_t last_step;
-    PixelKind wanted;
-    PixelKind kind;  ///< in which samples are drawn
+    PixelFormat wanted;
+    PixelFormat kind;  ///< in which samples are drawn
     Block block;
-    std::optional<PlainAround> plain;  ///< of endless ground that is not the bed's own repetition
+    std::optional<SurroundingPlain>
+        plain;  ///< of endless ground that is not the bed's own repetition
     std::optional<Snapshot> first_in_plain;
     Block ground;  ///< the block of its maps
     bool water;    ///< whether it is drawn
     int refinement;
     DrawnOrigin origin;  ///< of endless ground
-    FarCopies copies;    ///< likewise
+    TileWarp copies;     ///< likewise
     TilePlan plan;
 };
 

@@ -17,7 +17,8 @@ PictureDrawing::PictureDrawing(RendererState& state, const ReadyPicture& picture
     RendererState& s = state_;
     if (picture.pose.reference)
         reference_ = FrameSetting::shown_first(drawable(*picture.pose.reference), s.view);
-    if (reference_ && s.plain) reference_ = PlainAround(*reference_, s.pool).around(*reference_);
+    if (reference_ && s.plain)
+        reference_ = SurroundingPlain(*reference_, s.pool).around(*reference_);
     const bool held = s.uploaded == picture.lit && !reference_;
     fresh_ = !held || !s.world;
     s.uploaded = reference_ ? nullptr : picture.lit;
@@ -98,11 +99,11 @@ void PictureDrawing::place_prints() {
 /// How much of it the camera sees, for its glare.
 void PictureDrawing::look_at_sun() {
     RendererState& s = state_;
-    auto seen = static_cast<float>(picture_.sun_share);
+    auto visibility = static_cast<float>(picture_.sun_share);
     gl::functions().BindVertexArray(s.no_attributes.name());
-    if (seen > 0.0F) seen *= s.background.sun_through_clouds(s.light, camera_);
-    if (seen != s.light.sun_seen) s.background.forget();
-    s.light.sun_seen = seen;
+    if (visibility > 0.0F) visibility *= s.background.sun_through_clouds(s.light, camera_);
+    if (visibility != s.light.visible_sun) s.background.forget();
+    s.light.visible_sun = visibility;
 }
 
 void PictureDrawing::paint_air() {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "render/renderer_state.h"
-#include "render/view/drawn_height.h"
+#include "render/view/bilinear_height.h"
 #include "render/view/lens.h"
 
 namespace fumon {
@@ -20,8 +20,8 @@ RayGround RendererState::ground_for_rays(const ReadyPicture& picture) const {
     RayGround rays;
     if (world) {
         const HeightPyramid& heights = *picture.lit->heights;
-        rays.height = [this, &heights](const glm::dvec2& place) {
-            return world->ground_at(place, heights);
+        rays.height = [this, &heights](const glm::dvec2& position) {
+            return world->ground_at(position, heights);
         };
         rays.highest = std::max(static_cast<double>(heights.highest()), block.surface);
         rays.step = 0.3 * std::min(ground.width_x * ground.tiles.count() / heights.finest().nx(),
@@ -30,10 +30,10 @@ RayGround RendererState::ground_for_rays(const ReadyPicture& picture) const {
     }
     const DisplayBed& bed = picture.lit->bed;
     const glm::dvec2 extent(block.width_x, block.width_y);
-    rays.height = [this, &bed, extent](const glm::dvec2& place) {
+    rays.height = [this, &bed, extent](const glm::dvec2& position) {
         constexpr double nowhere = -1e9;
         const double floor = open() ? nowhere : block.base;
-        const glm::dvec2 share = place / extent + 0.5;
+        const glm::dvec2 share = position / extent + 0.5;
         if (glm::any(glm::lessThan(share, glm::dvec2(0.0))) ||
             glm::any(glm::greaterThanEqual(share, glm::dvec2(1.0))))
             return floor;
@@ -41,7 +41,7 @@ RayGround RendererState::ground_for_rays(const ReadyPicture& picture) const {
         if (!nodata.empty() && nodata(static_cast<int>(share.x * nodata.nx()),
                                       static_cast<int>(share.y * nodata.ny())) != 0)
             return floor;
-        return static_cast<double>(drawn_height(bed.z, share, false));
+        return static_cast<double>(bilinear_height(bed.z, share, false));
     };
     rays.highest =
         static_cast<double>(*std::max_element(bed.z.values().begin(), bed.z.values().end()));
@@ -73,7 +73,8 @@ void RendererState::set_lens(ReadyPicture& picture, bool posed) const {
     }
     RayGround coarse = ground_for_rays(picture);
     coarse.growth = 0.01;
-    const double widest = widest_blur(camera, coarse, static_cast<double>(view.image.height));
+    const double widest =
+        widest_circle_of_confusion(camera, coarse, static_cast<double>(view.image.height));
     picture.lens_points = enough_lens_points(widest);
 }
 

@@ -10,7 +10,7 @@
 #include "render/renderer_state.h"
 #include "render/view/framing.h"
 #include "render/view/shown_snapshot.h"
-#include "render/view/sun_seen.h"
+#include "render/view/visible_sun.h"
 
 namespace fumon {
 
@@ -22,7 +22,7 @@ std::shared_ptr<const LitBed> RendererState::lit_bed(const ReadyPicture& picture
     lit->snapshot = picture.snapshot;
     lit->sun = sun;
     if (world) {
-        if (plain) lit->in_plain = PlainAround(shown, with).around(shown);
+        if (plain) lit->in_plain = SurroundingPlain(shown, with).around(shown);
         const Block framed = plain ? plain->ground_of(picture.framed) : picture.framed;
         lit->light = repeated_light(plain ? *lit->in_plain : shown, framed, refinement, origin, sun,
                                     prevailing_way(shown), with);
@@ -52,9 +52,9 @@ std::shared_ptr<const LitBed> RendererState::lit_bed(const ReadyPicture& picture
 
 double RendererState::sun_share(const ReadyPicture& picture) const {
     if (!atmosphere) return 1.0;
-    return sun_share_seen(picture.pose.camera, glm::dvec3(direction_to(picture.pose.sun)),
-                          ground_for_rays(picture),
-                          world ? static_cast<double>(world->curvature()) : 0.0);
+    return visible_sun_share(picture.pose.camera, glm::dvec3(direction_to(picture.pose.sun)),
+                             ground_for_rays(picture),
+                             world ? static_cast<double>(world->curvature()) : 0.0);
 }
 
 /// Without a pose the camera is that of the snapshot's step.
@@ -90,7 +90,7 @@ ReadyPicture RendererState::ready(std::shared_ptr<const Snapshot> snapshot, cons
     if (world) {
         const auto samples_high = static_cast<double>(view.image.height * view.image.supersampling);
         picture.ground =
-            world->ground_seen(picture.pose.camera, samples_high, *picture.lit->heights, with);
+            world->visible_ground(picture.pose.camera, samples_high, *picture.lit->heights, with);
     }
     return picture;
 }

@@ -38,7 +38,7 @@ struct ReadyPicture {
     FramePose pose;
     Block framed;
     std::shared_ptr<const LitBed> lit;
-    SeenGround ground;       ///< of endless ground
+    VisibleGround ground;    ///< of endless ground
     double sun_share = 1.0;  ///< of the sun's disc, that the ground leaves to the camera
     int lens_points = 1;     ///< through which it is seen
 

@@ -12,8 +12,8 @@
 #include "render/picture_drawing.h"
 #include "render/ready_picture.h"
 #include "render/renderer_state.h"
-#include "render/samples/deep_picture.h"
-#include "render/samples/gathered_light.h"
+#include "render/samples/accumulated_light.h"
+#include "render/samples/float_picture.h"
 #include "render/tile_drawing.h"
 #include "scene/placed_sun.h"
 
@@ -39,7 +39,7 @@ Image blank_image(const RendererState& state) {
 
 Renderer::Renderer(gl::Context& context, const View& view, const Snapshot& first,
                    std::int64_t last_step, WorkerPool& pool, const RenderLimits& limits,
-                   PixelKind kind) {
+                   PixelFormat kind) {
     context.make_current();
     state_ = std::make_unique<RendererState>(context, view, first, last_step, pool, limits, kind);
 }
@@ -54,7 +54,7 @@ void Renderer::keep_colours() {
     state_->shading.keep_range();
 }
 
-const DrawnColours& Renderer::drawn_colours() const {
+const FrameColourRange& Renderer::frame_colour_range() const {
     return state_->shading.range();
 }
 
@@ -96,7 +96,7 @@ Image Renderer::render(const ReadyPicture& picture) {
     return draw(picture);
 }
 
-LayeredImage Renderer::render_layers(const Snapshot& whole, bool places) {
+LayeredImage Renderer::render_layers(const Snapshot& whole, bool positions) {
     const ReadyPicture picture = ready_at_step(whole);
     prepare_sky(picture);
     prepare(picture);
@@ -106,7 +106,7 @@ LayeredImage Renderer::render_layers(const Snapshot& whole, bool places) {
     image.height = static_cast<int>(state_->view.image.height);
     set_matrices(image, picture.framed, picture.pose.camera);
     image.layers = draw_radiances(picture);
-    if (places) {
+    if (positions) {
         for (ImageLayer& layer : draw_positions(picture)) image.layers.push_back(std::move(layer));
     }
     gl::check_errors("a picture's layers");
@@ -131,26 +131,26 @@ Image Renderer::draw(const ReadyPicture& picture) {
     Image image;
     if (state_->lens()) {
         image = draw_through_lens(picture);
-    } else if (state_->kind == PixelKind::display_16) {
+    } else if (state_->kind == PixelFormat::display_16) {
         image = draw_deep(camera).display();
     } else {
         image = blank_image(*state_);
         for (const Tile& tile : state_->plan.tiles) draw_tile(*state_, tile, camera, &image);
-        if (state_->open()) spread_colours(image);
+        if (state_->open()) dilate_colours(image);
     }
     gl::check_errors("a frame");
     return image;
 }
 
-DeepPicture Renderer::draw_deep(const Camera& camera) {
-    DeepPicture picture(static_cast<int>(state_->view.image.width),
-                        static_cast<int>(state_->view.image.height), state_->kind, state_->open());
+FloatPicture Renderer::draw_deep(const Camera& camera) {
+    FloatPicture picture(static_cast<int>(state_->view.image.width),
+                         static_cast<int>(state_->view.image.height), state_->kind, state_->open());
     for (const Tile& tile : state_->plan.tiles) draw_tile(*state_, tile, camera, &picture);
     return picture;
 }
 
-GatheredLight Renderer::gather_light(const Tile& tile, const ReadyPicture& picture) {
-    GatheredLight gathered(tile);
+AccumulatedLight Renderer::gather_light(const Tile& tile, const ReadyPicture& picture) {
+    AccumulatedLight accumulated(tile);
     const glm::dvec2 pixel(2.0 / static_cast<double>(state_->view.image.width),
                            2.0 / static_cast<double>(state_->view.image.height));
     Camera through = picture.pose.camera;
@@ -158,35 +158,36 @@ GatheredLight Renderer::gather_light(const Tile& tile, const ReadyPicture& pictu
         if (state_->one_picture) give_up_if_asked();
         through.lens.point = picture.pose.camera.lens.radius * point.on_disc;
         through.lens.aside = pixel * point.in_pixel;
-        draw_tile(*state_, tile, through, &gathered);
+        draw_tile(*state_, tile, through, &accumulated);
     }
-    gathered.finish(state_->pool);
-    return gathered;
+    accumulated.finish(state_->pool);
+    return accumulated;
 }
 
 Image Renderer::draw_through_lens(const ReadyPicture& picture) {
     RendererState& s = *state_;
     Image image = blank_image(s);
-    const bool deep = s.wanted == PixelKind::display_16;
+    const bool deep = s.wanted == PixelFormat::display_16;
     if (deep) image.rgb16.resize(image.rgb.size());
     if (!s.lens_tone)
         s.lens_tone.emplace(s.plan.tiles.front(),
                             fixed_uniforms(s.view, s.light, s.ground, s.wanted), deep);
     for (const Tile& tile : s.plan.tiles) {
-        const GatheredLight gathered = gather_light(tile, picture);
+        const AccumulatedLight accumulated = gather_light(tile, picture);
         gl::functions().BindVertexArray(s.no_attributes.name());
-        s.lens_tone->put(gathered, s.view, s.light, picture.pose.camera, s.block, image);
+        s.lens_tone->put(accumulated, s.view, s.light, picture.pose.camera, s.block, image);
     }
-    if (s.open()) spread_colours(image);
+    if (s.open()) dilate_colours(image);
     return image;
 }
 
 std::vector<ImageLayer> Renderer::draw_radiances(const ReadyPicture& picture) {
     if (!state_->lens()) return draw_deep(picture.pose.camera).take_channels();
-    DeepPicture gathered(static_cast<int>(state_->view.image.width),
-                         static_cast<int>(state_->view.image.height), state_->kind, state_->open());
-    for (const Tile& tile : state_->plan.tiles) gathered.put(gather_light(tile, picture));
-    return gathered.take_channels();
+    FloatPicture accumulated(static_cast<int>(state_->view.image.width),
+                             static_cast<int>(state_->view.image.height), state_->kind,
+                             state_->open());
+    for (const Tile& tile : state_->plan.tiles) accumulated.put(gather_light(tile, picture));
+    return accumulated.take_channels();
 }
 
 std::vector<ImageLayer> Renderer::draw_positions(const ReadyPicture& picture) {

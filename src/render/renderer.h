@@ -8,7 +8,7 @@
 #include "base/image.h"
 #include "base/snapshot.h"
 #include "render/colour/colouring.h"
-#include "render/colour/pixel_kind.h"
+#include "render/colour/pixel_format.h"
 #include "render/view/camera.h"
 #include "scene/scene.h"
 
@@ -35,8 +35,8 @@ struct FramePose {
     std::optional<Camera> metered{};
 };
 
-class DeepPicture;
-class GatheredLight;
+class FloatPicture;
+class AccumulatedLight;
 struct LitBed;
 struct ReadyPicture;
 struct RendererState;
@@ -60,7 +60,7 @@ class Renderer {
     /// view does not fit the bed (a palette that does not exist), Error where OpenGL fails.
     Renderer(gl::Context& context, const View& view, const Snapshot& first, std::int64_t last_step,
              WorkerPool& pool, const RenderLimits& limits = {},
-             PixelKind kind = PixelKind::display_8);
+             PixelFormat kind = PixelFormat::display_8);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -80,8 +80,8 @@ class Renderer {
 
     /// The same as radiances, of which 1 is near that of a white level plain in the sun: the
     /// channels R, G, B and, where the background is transparent, A, by which they are multiplied;
-    /// with `places` those of SurfacePositionLayers too. Of a renderer of radiances.
-    LayeredImage render_layers(const Snapshot& snapshot, bool places);
+    /// with `positions` those of SurfacePositionLayers too. Of a renderer of radiances.
+    LayeredImage render_layers(const Snapshot& snapshot, bool positions);
 
     /// The vertical exaggeration in use.
     [[nodiscard]] double exaggeration() const;
@@ -89,7 +89,7 @@ class Renderer {
     /// look.range is "frame".
     void keep_colours();
     /// The colours of the last picture.
-    [[nodiscard]] const DrawnColours& drawn_colours() const;
+    [[nodiscard]] const FrameColourRange& frame_colour_range() const;
 
   private:
     [[nodiscard]] ReadyPicture ready_at_step(const Snapshot& snapshot) const;
@@ -99,13 +99,13 @@ class Renderer {
     Image draw(const ReadyPicture& picture);
     /// The same through the lens.
     Image draw_through_lens(const ReadyPicture& picture);
-    [[nodiscard]] DeepPicture draw_deep(const Camera& camera);
+    [[nodiscard]] FloatPicture draw_deep(const Camera& camera);
     [[nodiscard]] std::vector<ImageLayer> draw_radiances(const ReadyPicture& picture);
     [[nodiscard]] std::vector<ImageLayer> draw_positions(const ReadyPicture& picture);
     /// What a tile's pixels get of the light through some points of the lens. Only what depends on
     /// the place of these in the picture is drawn anew for each: ground and light are the eye's, as
     /// Cook, Carpenter & Catmull (1987) shade before they sample a lens.
-    [[nodiscard]] GatheredLight gather_light(const Tile& tile, const ReadyPicture& picture);
+    [[nodiscard]] AccumulatedLight gather_light(const Tile& tile, const ReadyPicture& picture);
 
     std::unique_ptr<RendererState> state_;
 };

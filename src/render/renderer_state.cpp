@@ -18,7 +18,7 @@ const gl::TextureLayout sky_layout{GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_LINEAR, 0, 
 
 gl::Constants constants_of(const FrameSetting& setting, const Light& light) {
     gl::Constants fixed = fixed_uniforms(setting.view, light, setting.ground, setting.kind);
-    fixed.push_back({"samples_in_buffer", setting.rasterises_in_buffer() ? 1.0F : 0.0F});
+    fixed.push_back({"visibility_in_buffer", setting.rasterises_in_buffer() ? 1.0F : 0.0F});
     return fixed;
 }
 
@@ -26,7 +26,7 @@ gl::Constants constants_of(const FrameSetting& setting, const Light& light) {
 
 RendererState::RendererState(gl::Context& context_, const View& view_, const Snapshot& first_,
                              std::int64_t last_step_, WorkerPool& pool_, const RenderLimits& limits,
-                             PixelKind kind_)
+                             PixelFormat kind_)
     : FrameSetting(view_, first_, last_step_, limits, kind_, pool_),
       context(context_),
       pool(pool_),
@@ -80,18 +80,19 @@ void RendererState::set_light(const FramePose& pose) {
 
 GroundTransform RendererState::ground_transform(const Camera& camera) const {
     if (world)
-        return {world->clip_from_eye(camera),  true, world->curvature(), origin.place, copies,
+        return {world->clip_from_eye(camera),  true, world->curvature(), origin.position, copies,
                 world->eye_from_middle(camera)};
     return {glm::mat4(clip_matrix(camera)), false, 0.0F, glm::dvec2(0.0), {}, glm::dvec2(0.0)};
 }
 
 bool RendererState::drawn_by_block_passes(const Camera& camera) const {
     const bool alone = !world && !air && !plants && !persons && !tracks && !terrain.has_rim();
-    const bool by_pixels = kind == PixelKind::display_8 && view.look.mode == ViewMode::scenic &&
+    const bool by_pixels = kind == PixelFormat::display_8 && view.look.mode == ViewMode::scenic &&
                            view.camera.projection != Projection::map && plan.factor == 2 && alone;
     if (water)
-        return by_pixels && water_block && (camera.perspective || terrain.lies_before(camera));
-    return by_pixels && !shading.has_mipmaps() && terrain.lies_before(camera);
+        return by_pixels && water_block &&
+               (camera.perspective || terrain.needs_no_clipping(camera));
+    return by_pixels && !shading.has_mipmaps() && terrain.needs_no_clipping(camera);
 }
 
 Field<float> RendererState::drawn_surface(const ReadyPicture& picture) const {

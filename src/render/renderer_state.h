@@ -26,7 +26,7 @@
 #include "render/position/surface_position_pass.h"
 #include "render/ready_picture.h"
 #include "render/renderer.h"
-#include "render/samples/block_samples.h"
+#include "render/samples/block_rasteriser.h"
 #include "render/samples/packed_samples.h"
 #include "render/streamers/streamer_layer.h"
 #include "render/view/camera.h"
@@ -42,7 +42,7 @@ struct RendererState : FrameSetting {
     /// As Renderer().
     RendererState(gl::Context& context_, const View& view_, const Snapshot& first_,
                   std::int64_t last_step_, WorkerPool& pool_, const RenderLimits& limits,
-                  PixelKind kind_);
+                  PixelFormat kind_);
 
     /// For another sun, and clouds that drift.
     void set_light(const FramePose& pose);
@@ -82,7 +82,7 @@ struct RendererState : FrameSetting {
     BedShading shading;
     std::shared_ptr<const LitBed> uploaded;  ///< which the textures hold
     TerrainLayer terrain;
-    std::optional<BlockSamples> coverage;
+    std::optional<BlockRasteriser> coverage;
     DryBlockPass dry_block;
     std::optional<WaterBlockPass> water_block;  ///< where its ground is shaded by pixels
     std::optional<WorldLayer> world;            ///< where the bed is endless

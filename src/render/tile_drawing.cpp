@@ -21,14 +21,15 @@ bool TileDrawing::by_block_passes() const {
 
 /// Whether nothing stands on endless ground, so that samples of edges alone need colours.
 bool TileDrawing::packed() const {
-    return whole_pixels() && state_.kind == PixelKind::display_8 && !with_air() && !with_plants() &&
-           !with_persons() && !with_tracks();
+    return single_surface_pixels() && state_.kind == PixelFormat::display_8 && !with_air() &&
+           !with_plants() && !with_persons() && !with_tracks();
 }
 
 /// What is seen of it is known only after the ground, or it is seen through streamers.
 bool TileDrawing::behind_last() const {
     if (!closed() || state_.lens()) return false;
-    return streamed() || (std::holds_alternative<Image*>(output_) && whole_pixels() && !with_air());
+    return streamed() ||
+           (std::holds_alternative<Image*>(output_) && single_surface_pixels() && !with_air());
 }
 
 bool TileDrawing::behind_first() const {
@@ -62,7 +63,7 @@ const gl::RenderTarget& TileDrawing::background() {
     return state_.targets.background();
 }
 
-BlockSamples& TileDrawing::coverage() {
+BlockRasteriser& TileDrawing::coverage() {
     use(Target::coverage);
     if (!state_.coverage)
         state_.coverage.emplace(state_.water ? 0.0F : state_.terrain.grain_strength());
@@ -84,7 +85,7 @@ void TileDrawing::bind_no_attributes() const {
 
 void TileDrawing::read_background(const std::optional<RowOrder>& drawn) {
     if (!drawn) return;
-    if (DeepPicture** deep = std::get_if<DeepPicture*>(&output_)) {
+    if (FloatPicture** deep = std::get_if<FloatPicture*>(&output_)) {
         (*deep)->read_background(tile_.tile);
     } else {
         state_.bytes.read_background(tile_.tile, *drawn);
@@ -110,7 +111,7 @@ void TileDrawing::resolve_water() {
 
 void TileDrawing::draw_background_beside_block() {
     read_background(state_.background.draw_uncovered(tile_, background(), streamers(),
-                                                     coverage().open_parts()));
+                                                     coverage().background_rectangles()));
 }
 
 /// In the background's target, after that has been read.
@@ -188,8 +189,8 @@ void TileDrawing::shade_world_edges() {
     use(Target::edge_colours);
     if (!state_.edges) state_.edges.emplace(tile_.plan.factor);
     pixel_colours().bind();
-    const gl::Texture2D* seen = in_target() ? &visibility().colour() : nullptr;
-    state_.world->shade_packed_samples(seen, *state_.edges, state_.shading, tile_);
+    const gl::Texture2D* visibility = in_target() ? &visibility().colour() : nullptr;
+    state_.world->shade_packed_samples(visibility, *state_.edges, state_.shading, tile_);
 }
 
 void TileDrawing::clear_samples() {
@@ -252,7 +253,7 @@ void TileDrawing::draw_air() {
 }
 
 void TileDrawing::draw_uncovered_background() {
-    const bool only_there = std::holds_alternative<Image*>(output_) && whole_pixels();
+    const bool only_there = std::holds_alternative<Image*>(output_) && single_surface_pixels();
     if (!only_there) {
         draw_background();
         return;
@@ -272,10 +273,10 @@ void TileDrawing::resolve() {
     sample_colours().bind();
     if (Image** image = std::get_if<Image*>(&output_)) {
         state_.bytes.resolve(tile_.tile, factor, first, tile_.pool, **image);
-    } else if (DeepPicture** deep = std::get_if<DeepPicture*>(&output_)) {
+    } else if (FloatPicture** deep = std::get_if<FloatPicture*>(&output_)) {
         (*deep)->resolve(tile_.tile, factor, first, tile_.pool);
     } else {
-        std::get<GatheredLight*>(output_)->add(first, tile_.pool);
+        std::get<AccumulatedLight*>(output_)->add(first, tile_.pool);
     }
 }
 

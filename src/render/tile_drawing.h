@@ -7,8 +7,8 @@
 #include "render/frame/tile_frame.h"
 #include "render/frame_passes.h"
 #include "render/renderer_state.h"
-#include "render/samples/deep_picture.h"
-#include "render/samples/gathered_light.h"
+#include "render/samples/accumulated_light.h"
+#include "render/samples/float_picture.h"
 
 namespace fumon {
 
@@ -18,7 +18,7 @@ class TileDrawing {
   public:
     /// Where the tile's pixels go: into a picture of 8 bits, into a deeper one, or to what a lens
     /// gathers.
-    using Output = std::variant<Image*, DeepPicture*, GatheredLight*>;
+    using Output = std::variant<Image*, FloatPicture*, AccumulatedLight*>;
 
     TileDrawing(RendererState& state, const Tile& tile, const Camera& camera, Output output);
 
@@ -34,16 +34,20 @@ class TileDrawing {
     [[nodiscard]] bool wet() const { return state_.water; }
     [[nodiscard]] bool closed() const { return !state_.open(); }
     [[nodiscard]] bool of_block() const { return !state_.world; }
-    [[nodiscard]] bool in_buffer() const { return state_.world && state_.world->in_buffer(); }
-    [[nodiscard]] bool in_target() const { return !(in_buffer() && packed() && !streamed()); }
-    [[nodiscard]] bool copied() const { return in_buffer() && in_target(); }
-    [[nodiscard]] bool world_target() const { return state_.world && !in_buffer(); }
+    [[nodiscard]] bool has_visibility_buffer() const {
+        return state_.world && state_.world->has_visibility_buffer();
+    }
+    [[nodiscard]] bool in_target() const {
+        return !(has_visibility_buffer() && packed() && !streamed());
+    }
+    [[nodiscard]] bool copied() const { return has_visibility_buffer() && in_target(); }
+    [[nodiscard]] bool world_target() const { return state_.world && !has_visibility_buffer(); }
     [[nodiscard]] bool streamed() const { return state_.streamers.has_value(); }
     [[nodiscard]] bool water_pixels() const { return state_.water_block.has_value(); }
-    [[nodiscard]] bool whole_pixels() const { return state_.targets.has_pixel_colours(); }
+    [[nodiscard]] bool single_surface_pixels() const { return state_.targets.has_pixel_colours(); }
     [[nodiscard]] bool packed() const;
     [[nodiscard]] bool unpacked() const { return !packed(); }
-    [[nodiscard]] bool upsampled() const { return whole_pixels() && unpacked(); }
+    [[nodiscard]] bool upsampled() const { return single_surface_pixels() && unpacked(); }
     [[nodiscard]] bool world_samples() const { return state_.world && unpacked(); }
     [[nodiscard]] bool with_tracks() const { return state_.tracks.has_value(); }
     [[nodiscard]] bool with_plants() const { return state_.plants.has_value(); }
@@ -94,7 +98,7 @@ class TileDrawing {
     const gl::RenderTarget& pixel_colours();
     const gl::RenderTarget& sample_colours();
     const gl::RenderTarget& background();
-    BlockSamples& coverage();
+    BlockRasteriser& coverage();
     Image& image();
     [[nodiscard]] const StreamerLayer* streamers() const;
     void bind_no_attributes() const;

@@ -11,7 +11,7 @@ void prepare_drawing(const WorkOptions& work) {
 }
 
 std::string why_processor_is_not_pinned(const WorkOptions& work) {
-    return work.pinned ? gl::why_not_pinned("llvmpipe") : "";
+    return work.pinned ? gl::pinning_obstacle("llvmpipe") : "";
 }
 
 void tell_drawing(const DrawingRecord& drawing, Progress& progress) {
@@ -22,8 +22,8 @@ void tell_drawing(const DrawingRecord& drawing, Progress& progress) {
                                  environment.gl_version, environment.pinned ? ", pinned" : ""));
     for (const std::string& line : gl::overridden_by_pinning())
         progress.verbose("--pinned: " + line);
-    if (!drawing.why_not_pinned.empty()) {
-        progress.note(fmt::format("not pinned, and recorded so: {}", drawing.why_not_pinned));
+    if (!drawing.pinning_obstacle.empty()) {
+        progress.note(fmt::format("not pinned, and recorded so: {}", drawing.pinning_obstacle));
     }
 }
 

@@ -14,7 +14,7 @@
 #include "gl/pinned.h"
 #include "picture/fingerprint.h"
 #include "render/renderer.h"
-#include "render/view/chosen_ground.h"
+#include "render/view/ground_choice.h"
 #include "scene/overlay_keys.h"
 
 namespace fumon {
@@ -34,14 +34,14 @@ class BedPainter : public FramePainter {
         RenderLimits limits;
         limits.one_picture =
             frames == PaintedFrames::one_picture || frames == PaintedFrames::layers;
-        const auto make = [&](PixelKind kind) {
+        const auto make = [&](PixelFormat kind) {
             return std::make_unique<Renderer>(*context_, scene.view, first, scene.run.steps, pool,
                                               limits, kind);
         };
         if (frames != PaintedFrames::layers)
-            pictures_ =
-                make(scene.view.image.deep_colour ? PixelKind::display_16 : PixelKind::display_8);
-        if (draws_layers(frames)) layers_ = make(PixelKind::radiance);
+            pictures_ = make(scene.view.image.deep_colour ? PixelFormat::display_16
+                                                          : PixelFormat::display_8);
+        if (draws_layers(frames)) layers_ = make(PixelFormat::radiance);
     }
 
     ~BedPainter() override { context_->make_current(); }  // others may have drawn since
@@ -58,10 +58,12 @@ class BedPainter : public FramePainter {
         if (pictures_) pictures_->keep_colours();
         if (layers_) layers_->keep_colours();
     }
-    [[nodiscard]] DrawnColours drawn_colours() const override { return any().drawn_colours(); }
+    [[nodiscard]] FrameColourRange frame_colour_range() const override {
+        return any().frame_colour_range();
+    }
     [[nodiscard]] DrawingRecord record() const override {
         const std::string name = context_->renderer_name();
-        const std::string obstacle = gl::rendering_is_pinned() ? gl::why_not_pinned(name) : "";
+        const std::string obstacle = gl::rendering_is_pinned() ? gl::pinning_obstacle(name) : "";
         return {opengl_environment(context_->backend_name(), name, context_->version(),
                                    gl::rendering_is_pinned() && obstacle.empty()),
                 obstacle, any().exaggeration(), ""};
@@ -113,7 +115,7 @@ class OverlayPainter : public FramePainter {
         if (one_picture_) pixels_under_ = hex(pixel_hash(image));
         const std::vector<std::uint8_t> before =
             image.rgb16.empty() ? std::vector<std::uint8_t>{} : image.rgb;
-        overlays_.draw(image, {snapshot, rows, under_->drawn_colours()});
+        overlays_.draw(image, {snapshot, rows, under_->frame_colour_range()});
         // Overlays are of 8 bits.
         for (std::size_t i = 0; i < image.rgb16.size(); ++i) {
             if (image.rgb[i] != before[i])
@@ -125,14 +127,16 @@ class OverlayPainter : public FramePainter {
         return under_->paint_layers(snapshot);
     }
     void keep_colours() override { under_->keep_colours(); }
-    [[nodiscard]] DrawnColours drawn_colours() const override { return under_->drawn_colours(); }
+    [[nodiscard]] FrameColourRange frame_colour_range() const override {
+        return under_->frame_colour_range();
+    }
     [[nodiscard]] DrawingRecord record() const override {
         DrawingRecord record = under_->record();
         record.text_library = figure_library();
         record.under_overlays = pixels_under_;
         if (overlays_.uses_system_fonts()) {
             record.environment.pinned = false;
-            if (gl::rendering_is_pinned()) record.why_not_pinned = text_is_not_pinned;
+            if (gl::rendering_is_pinned()) record.pinning_obstacle = text_is_not_pinned;
         }
         return record;
     }

@@ -18,7 +18,7 @@ class WorkerPool;
 /// The renderer and its settings, for the manifest and the pictures.
 struct DrawingRecord {
     RenderingEnvironment environment;  ///< its backend is empty where nothing was drawn
-    std::string why_not_pinned;        ///< empty where it is, or where that was not asked for
+    std::string pinning_obstacle;      ///< empty where it is, or where that was not asked for
     double exaggeration = 1.0;
     std::string text_library;  ///< that writes on the frames; empty where there is no text
     /// SHA-256 of the pixels before overlays were laid over them, hexadecimal, of one picture;
@@ -43,7 +43,7 @@ class FramePainter {
     /// Before the first of a run's frames: see Renderer::keep_colours().
     virtual void keep_colours() {}
     /// The colours of the last frame, where it has one palette.
-    [[nodiscard]] virtual DrawnColours drawn_colours() const { return {}; }
+    [[nodiscard]] virtual FrameColourRange frame_colour_range() const { return {}; }
     [[nodiscard]] virtual DrawingRecord record() const = 0;
 };
 

@@ -46,8 +46,8 @@ Json manifest_head(const ManifestFacts& facts, const std::string& status,
     const RenderingEnvironment& environment = drawing.environment;
     if (!environment.backend.empty()) {
         json["drawing"] = parse_json(environment_text(environment));
-        if (!drawing.why_not_pinned.empty())
-            json["drawing"]["why_not_pinned"] = drawing.why_not_pinned;
+        if (!drawing.pinning_obstacle.empty())
+            json["drawing"]["why_not_pinned"] = drawing.pinning_obstacle;
         if (!drawing.text_library.empty()) json["drawing"]["text_library"] = drawing.text_library;
         json["drawing"]["vertical_exaggeration"] = drawing.exaggeration;
     }

@@ -202,7 +202,8 @@ class Pipeline {
                 number++, frame->snapshot,
                 std::make_shared<const Image>(painter->paint(*frame->snapshot, frame->rows)),
                 nullptr, resolved};
-            if (const DrawnColours colours = painter->drawn_colours(); colours.kept && !resolved) {
+            if (const FrameColourRange colours = painter->frame_colour_range();
+                colours.kept && !resolved) {
                 Scene kept = scene_;
                 kept.view.look.low = colours.low;
                 kept.view.look.high = colours.high;

@@ -16,9 +16,9 @@
 #include "models/registry.h"
 #include "scene/figure_check.h"
 #include "scene/initial_bed.h"
-#include "scene/view/palette_names.h"
 #include "scene/placed_sun.h"
 #include "scene/scene.h"
+#include "scene/view/palette_names.h"
 
 namespace fumon {
 

@@ -14,8 +14,8 @@
 #include "keys/keys.h"
 #include "keys/look_presets.h"
 #include "models/registry.h"
-#include "scene/view/palette_names.h"
 #include "scene/scene_keys.h"
+#include "scene/view/palette_names.h"
 
 namespace fumon {
 

@@ -14,8 +14,8 @@
 #include "base/nearest_name.h"
 #include "scene/figure/chart_check.h"
 #include "scene/figure/journals.h"
-#include "scene/view/palette_names.h"
 #include "scene/placeholders.h"
+#include "scene/view/palette_names.h"
 
 namespace fumon {
 

@@ -159,10 +159,10 @@ void sky_of_frame(benchmark::State& state) {
                                 {GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE},
                                 light.sky_texels.data());
     BackgroundLayer background(view, block, light, open_floor(),
-                               fixed_uniforms(view, light, block, PixelKind::display_8),
-                               PixelKind::display_8);
+                               fixed_uniforms(view, light, block, PixelFormat::display_8),
+                               PixelFormat::display_8);
     const Tile tile{0, 0, static_cast<int>(view.image.width), static_cast<int>(view.image.height)};
-    const gl::RenderTarget target(tile.width, tile.height, colour_layout(PixelKind::display_8));
+    const gl::RenderTarget target(tile.width, tile.height, colour_layout(PixelFormat::display_8));
     const gl::VertexArray no_attributes;
     BytePicture picture;
     const auto draw_sky = [&] {

@@ -37,7 +37,7 @@ TEST(MipmapMaker, EachLevelIsTheMeanOfFourTexels) {
     for (int i = 0; i < width * height; ++i)
         texels.push_back(static_cast<std::uint16_t>(1000 * (i * 37 % 61)));
     const gl::Texture2D texture(width, height, layout, texels.data());
-    ASSERT_EQ(texture.coarsest(), 3);
+    ASSERT_EQ(texture.coarsest_mip_level(), 3);
     for (int turn = 0; turn < 2; ++turn) {  // other texels again
         mipmaps.make(texture);
         std::vector<std::uint16_t> finer = texels;
@@ -63,9 +63,9 @@ TEST(MipmapMaker, EachLevelIsTheMeanOfFourTexels) {
 TEST(MipmapMaker, StopsAtTheCoarsestOfTheLayout) {
     const auto context = gl::Context::create(gl::Backend::automatic);
     gl::TextureLayout shallow = layout;
-    shallow.coarsest = 2;
-    EXPECT_EQ(gl::Texture2D(64, 64, shallow).coarsest(), 2);
-    EXPECT_EQ(gl::Texture2D(5, 3, layout).coarsest(), 2);
+    shallow.coarsest_mip_level = 2;
+    EXPECT_EQ(gl::Texture2D(64, 64, shallow).coarsest_mip_level(), 2);
+    EXPECT_EQ(gl::Texture2D(5, 3, layout).coarsest_mip_level(), 2);
     EXPECT_EQ(gl::Texture2D(5, 3, layout).size(2), glm::ivec2(1, 1));
 }
 

@@ -17,7 +17,7 @@ namespace {
 Image picture_of_samples(const View& view, const Snapshot& snapshot) {
     const auto context = gl::Context::create(gl::Backend::automatic);
     WorkerPool pool(2);
-    return Renderer(*context, view, snapshot, 100, pool, {}, PixelKind::display_16)
+    return Renderer(*context, view, snapshot, 100, pool, {}, PixelFormat::display_16)
         .render(snapshot);
 }
 

@@ -52,7 +52,7 @@ TEST(FramePasses, UseNoTargetThatTheirLineDoesNotName) {
     const View view = small_view(32, 18);
     Snapshot bed;
     bed.bed = Grid(8, 6, 1.0);
-    RendererState state(*context, view, bed, 1, pool, {}, PixelKind::display_8);
+    RendererState state(*context, view, bed, 1, pool, {}, PixelFormat::display_8);
     Image image(32, 18);
     const Camera camera = state.camera_at(0);
     const Tile tile = state.plan.tiles.front();

@@ -12,9 +12,9 @@
 #include "base/worker_pool.h"
 #include "gl/context.h"
 #include "render/renderer.h"
-#include "render/view/chosen_ground.h"
-#include "render/view/far_copies.h"
 #include "render/view/framing.h"
+#include "render/view/ground_choice.h"
+#include "render/view/tile_warp.h"
 #include "support/drawn_picture.h"
 #include "support/view_beds.h"
 
@@ -25,7 +25,7 @@ LayeredImage layers_of(const View& view, const Snapshot& bed, int threads = 2,
                        const RenderLimits& limits = {}) {
     const auto context = gl::Context::create(gl::Backend::automatic);
     WorkerPool pool(threads);
-    return Renderer(*context, view, bed, 100, pool, limits, PixelKind::radiance)
+    return Renderer(*context, view, bed, 100, pool, limits, PixelFormat::radiance)
         .render_layers(bed, true);
 }
 
@@ -70,7 +70,7 @@ struct Repeated {
         : bed(bed_),
           view(with_chosen_ground(view_, bed)),
           block(framed_block(view, bed)),
-          copies(far_copies_of(view, block, bed)) {}
+          copies(tile_warp_of(view, block, bed)) {}
 
     [[nodiscard]] glm::dvec2 in_block(double east, double north) const {
         return glm::dvec2(east, north) / block.side -
@@ -78,7 +78,7 @@ struct Repeated {
     }
     /// The cell's height, metres.
     [[nodiscard]] double shown_at(double east, double north) const {
-        const glm::dvec2 shown = copies.shown_at(in_block(east, north));
+        const glm::dvec2 shown = copies.bed_position_at(in_block(east, north));
         const auto cell = [](double share, int count) {
             const int number = static_cast<int>(std::floor((share + 0.5) * count));
             return ((number % count) + count) % count;
@@ -95,7 +95,7 @@ struct Repeated {
     Snapshot bed;
     View view;
     Block block;
-    FarCopies copies;
+    TileWarp copies;
 };
 
 /// What holds of any picture: a point lies where the matrix says, in front of the camera by Z.
@@ -214,7 +214,7 @@ TEST(Layers, TheToneCurveMakesThePictureOfTheirLight) {
     const auto context = gl::Context::create(gl::Backend::automatic);
     WorkerPool pool(2);
     const Image deep =
-        Renderer(*context, view, bed, 100, pool, {}, PixelKind::display_16).render(bed);
+        Renderer(*context, view, bed, 100, pool, {}, PixelFormat::display_16).render(bed);
     const Image plain = picture(view, bed);
     int off = 0;
     for (std::size_t i = 0; i < light.layers[0].values.size(); ++i) {

@@ -40,11 +40,11 @@ Snapshot plate() {
     return bed;
 }
 
-LayeredImage light_through(const View& view, const Snapshot& bed, bool places = false) {
+LayeredImage light_through(const View& view, const Snapshot& bed, bool positions = false) {
     const auto context = gl::Context::create(gl::Backend::automatic);
     WorkerPool pool(2);
-    return Renderer(*context, view, bed, 100, pool, {}, PixelKind::radiance)
-        .render_layers(bed, places);
+    return Renderer(*context, view, bed, 100, pool, {}, PixelFormat::radiance)
+        .render_layers(bed, positions);
 }
 
 const std::vector<float>& channel(const LayeredImage& image, const std::string& name) {
@@ -253,7 +253,7 @@ TEST(LensPicture, SixteenBitsAreTheSamePicture) {
     const auto context = gl::Context::create(gl::Backend::automatic);
     WorkerPool pool(2);
     const Image deep =
-        Renderer(*context, view, rippled_sand(), 100, pool, {}, PixelKind::display_16)
+        Renderer(*context, view, rippled_sand(), 100, pool, {}, PixelFormat::display_16)
             .render(rippled_sand());
     ASSERT_EQ(deep.rgb16.size(), image.rgb.size());
     int most = 0;

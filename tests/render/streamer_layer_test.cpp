@@ -168,7 +168,7 @@ TEST(StreamerLayer, SixteenBitsRoundToEight) {
     const Image eight = picture(along_brink(), bed);
     const auto context = gl::Context::create(gl::Backend::automatic);
     WorkerPool pool(2);
-    Renderer renderer(*context, along_brink(), bed, 100, pool, {}, PixelKind::display_16);
+    Renderer renderer(*context, along_brink(), bed, 100, pool, {}, PixelFormat::display_16);
     EXPECT_LE(farthest(renderer.render(bed), eight), 2);
 }
 

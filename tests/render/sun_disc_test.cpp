@@ -49,19 +49,19 @@ glm::dvec2 place_of_sun(const View& view) {
             0.5 * static_cast<double>(view.image.height) - scale * higher / depth};
 }
 
-double green(const Image& image, const glm::dvec2& place) {
-    return image.row(static_cast<int>(place.y))[3 * static_cast<std::ptrdiff_t>(place.x) + 1];
+double green(const Image& image, const glm::dvec2& position) {
+    return image.row(static_cast<int>(position.y))[3 * static_cast<std::ptrdiff_t>(position.x) + 1];
 }
 
 /// How much of the pixels around a place is brighter than halfway from what is around to what is
 /// brightest, by how much each is.
-double bright_area(const Image& image, const glm::dvec2& place, double radius) {
+double bright_area(const Image& image, const glm::dvec2& position, double radius) {
     double most = 0.0;
     double least = 255.0;
     const auto each = [&](const auto& body) {
         const int reach = static_cast<int>(std::ceil(3.0 * radius));
         for (int y = -reach; y <= reach; ++y)
-            for (int x = -reach; x <= reach; ++x) body(green(image, place + glm::dvec2(x, y)));
+            for (int x = -reach; x <= reach; ++x) body(green(image, position + glm::dvec2(x, y)));
     };
     each([&](double value) {
         most = std::max(most, value);
@@ -114,24 +114,24 @@ Snapshot bed_with_a_wall() {
 TEST(SunDisc, GlareEndsBehindDunes) {
     View view = towards_sun(0.0, 1.0);
     view.look.exposure = 0.0;
-    const glm::dvec2 place = place_of_sun(view);
+    const glm::dvec2 position = place_of_sun(view);
     const Image image = picture(view, bed_with_a_wall());
-    const double there = green(image, place);
-    const double beside = green(image, place + glm::dvec2(12.0, 0.0));
+    const double there = green(image, position);
+    const double beside = green(image, position + glm::dvec2(12.0, 0.0));
     EXPECT_NEAR(there, beside, 12.0);
     const Image open = picture(view, level_bed());
-    EXPECT_GT(green(open, place), there + 60.0);
+    EXPECT_GT(green(open, position), there + 60.0);
 }
 
 /// Likewise clouds, which are thick with such a cover.
 TEST(SunDisc, GlareEndsBehindClouds) {
     View view = towards_sun(0.0, 14.0);
     view.look.exposure = -2.0;
-    const glm::dvec2 place = place_of_sun(view);
+    const glm::dvec2 position = place_of_sun(view);
     const auto rises = [&](const View& of) {
         const Image image = picture(of, level_bed());
-        return green(image, place + glm::dvec2(3.0, 0.0)) -
-               green(image, place + glm::dvec2(14.0, 0.0));
+        return green(image, position + glm::dvec2(3.0, 0.0)) -
+               green(image, position + glm::dvec2(14.0, 0.0));
     };
     const double clear = rises(view);
     EXPECT_GT(clear, 15.0);

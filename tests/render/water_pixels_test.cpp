@@ -11,7 +11,7 @@
 
 #include "render/ready_picture.h"
 #include "render/view/framing.h"
-#include "render/view/seen_part.h"
+#include "render/view/visible_part.h"
 #include "support/drawn_picture.h"
 #include "support/rained_gully.h"
 #include "support/water_views.h"
@@ -80,7 +80,7 @@ TEST(WaterPixels, NothingPopsWhereATextureWouldBeMadeFiner) {
         const double middle = 0.5 * (far + near);
         const View seen = nearer(middle);
         const bool finer =
-            seen_part(camera(middle), seen, framed_block(seen, rained)).sharpness >= texels;
+            visible_part(camera(middle), seen, framed_block(seen, rained)).sharpness >= texels;
         (finer ? near : far) = middle;
     }
     const Image before = drawn(1.0005 * far);
@@ -231,16 +231,16 @@ TEST(WaterPixels, AreThoseOfSamplesDrawnByOpenGL) {
     whole.camera.at.clear();
     whole.camera.look_at.clear();
     for (View view : {view_of_gully(640, 360), whole}) {
-        const Image by_places = picture(view, rained);
+        const Image by_positions = picture(view, rained);
         view.tracks.resize(1);
         view.tracks[0].along = {126.0, 0.5, 127.0, 0.5};
         const Image by_samples = picture(view, rained);
         double sum = 0.0;
-        for (std::size_t i = 0; i < by_places.rgb.size(); ++i)
-            sum += std::abs(int{by_places.rgb[i]} - int{by_samples.rgb[i]});
-        const auto values = static_cast<double>(by_places.rgb.size());
+        for (std::size_t i = 0; i < by_positions.rgb.size(); ++i)
+            sum += std::abs(int{by_positions.rgb[i]} - int{by_samples.rgb[i]});
+        const auto values = static_cast<double>(by_positions.rgb.size());
         EXPECT_LT(sum / values, 0.5);
-        EXPECT_LT(far_off(by_places, by_samples, 32), 0.0005 * values);
+        EXPECT_LT(far_off(by_positions, by_samples, 32), 0.0005 * values);
     }
 }
 

@@ -42,9 +42,9 @@ std::pair<std::size_t, int> changed_by_shift(const Image& expected, View view, c
                                              int east, int north) {
     Snapshot moved = bed;
     moved.bed = rolled(bed.bed, -east, -north);
-    for (std::vector<double>* place : {&view.camera.at, &view.camera.look_at}) {
-        (*place)[0] += east * bed.scale.dx;
-        (*place)[1] += north * bed.scale.dy;
+    for (std::vector<double>* position : {&view.camera.at, &view.camera.look_at}) {
+        (*position)[0] += east * bed.scale.dx;
+        (*position)[1] += north * bed.scale.dy;
     }
     const Image shifted = picture(view, moved);
     std::size_t changed = 0;

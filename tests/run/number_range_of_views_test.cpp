@@ -32,13 +32,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A ground and how it is seen, as a scene's lines.
-struct SeenGround {
+struct VisibleGround {
     const char* name;
     std::string lines;
 };
 
-std::vector<SeenGround> seen_grounds() {
-    std::vector<SeenGround> all{{"endless", "look.ground = \"endless\"\n"}};
+std::vector<VisibleGround> seen_grounds() {
+    std::vector<VisibleGround> all{{"endless", "look.ground = \"endless\"\n"}};
     for (const char* projection : {"perspective", "orthographic", "map"}) {
         for (const char* mode : {"scenic", "figure"}) {
             all.push_back({projection, fmt::format("look.ground = \"table\"\nlook.mode = \"{}\"\n"
@@ -101,7 +101,7 @@ class NumberRangeOfViews : public ::testing::Test {
     }
 
     void hold(const char* name, const Door& door, const Ends& ends = {}) const {
-        for (const SeenGround& seen : seen_grounds()) {
+        for (const VisibleGround& seen : seen_grounds()) {
             for (const double height : {ends.low, ends.high}) {
                 const std::string what = outcome(seen.lines + door(height));
                 EXPECT_TRUE(what == "drawn" || what.find("beds without water") < what.size())
@@ -157,7 +157,7 @@ TEST_F(NumberRangeOfViews, OfTables) {
 }
 
 TEST_F(NumberRangeOfViews, OfCouplings) {
-    for (const SeenGround& seen : seen_grounds()) {
+    for (const VisibleGround& seen : seen_grounds()) {
         write_text(folder_ / "bed.toml",
                    seen.lines + scene("static", "grid.nx = 8\ngrid.ny = 6\n"));
         CoupledModel model((folder_ / "bed.toml").string());
@@ -178,7 +178,7 @@ TEST_F(NumberRangeOfViews, OfCouplings) {
 
 TEST_F(NumberRangeOfViews, OfCheckpoints) {
     const fs::path file = folder_ / "out" / "checkpoint.fumon";
-    for (const SeenGround& seen : seen_grounds()) {
+    for (const VisibleGround& seen : seen_grounds()) {
         fs::remove_all(folder_ / "out");
         write_text(folder_ / "scene.toml",
                    seen.lines +

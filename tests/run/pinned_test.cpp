@@ -143,8 +143,8 @@ TEST_F(PinnedTest, TextInTheSystemsFontsIsNotPinnedAndThatIsSaid) {
 }
 
 TEST(Pinning, ComesBeforeTheFirstContext) {
-    EXPECT_EQ(gl::why_not_pinned("llvmpipe (LLVM 15.0.6, 128 bits)"), "");
-    EXPECT_EQ(gl::why_not_pinned("NVIDIA H200/PCIe/SSE2"),
+    EXPECT_EQ(gl::pinning_obstacle("llvmpipe (LLVM 15.0.6, 128 bits)"), "");
+    EXPECT_EQ(gl::pinning_obstacle("NVIDIA H200/PCIe/SSE2"),
               "NVIDIA H200/PCIe/SSE2 draws it, not Mesa's llvmpipe");
     const auto context = gl::Context::create(gl::Backend::automatic);
     EXPECT_THROW(gl::pin_rendering(), Error);

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "figure/canvas/figure_metadata.h"
 #include "figure/canvas/packed_text.h"
 #include "figure/canvas/pdf_strings.h"
-#include "figure/canvas/figure_metadata.h"
 #include "files/json_text.h"
 #include "picture/stills/xmp.h"
 
@@ -68,7 +68,8 @@ PdfMetadata pdf_metadata(const FigureMetadata& metadata) {
     try {
         std::string keywords = metadata.empty() ? "" : nlohmann::json(metadata).dump(-1, ' ', true);
         if (keywords.size() > longest) keywords = packed_text(keywords);
-        return {metadata_text(metadata, "Title"), metadata_text(metadata, "Software"), std::move(keywords)};
+        return {metadata_text(metadata, "Title"), metadata_text(metadata, "Software"),
+                std::move(keywords)};
     } catch (const nlohmann::json::exception&) {
         throw Error("the metadata of a figure cannot stand in a PDF file: they are not UTF-8");
     }

@@ -33,7 +33,7 @@ struct OverlayScene {
 struct OverlayFrame {
     const Snapshot& snapshot;  ///< as the model gives it
     const MeasuredRows& rows;  ///< up to it
-    DrawnColours colours{};
+    FrameColourRange colours{};
     /// Its camera, where it is not the one of the scene's view.
     const Camera* camera = nullptr;
     /// The height in pixels of that camera's picture, where it is not the scene's: films of several

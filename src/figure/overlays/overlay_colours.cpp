@@ -71,7 +71,7 @@ class ColourBarOverlay : public Overlay {
         return {length_ + 2.0 * ends * font, margins.above + thick * font + margins.below};
     }
     [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
-        const DrawnColours& colours = frame.colours;
+        const FrameColourRange& colours = frame.colours;
         return fmt::format("{} {} {} {}", colours.low, colours.high, colours.values_below,
                            colours.values_above);
     }

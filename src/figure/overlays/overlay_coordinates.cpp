@@ -17,8 +17,8 @@
 #include "figure/panels/block_coordinates.h"
 #include "figure/panels/ground_axes.h"
 #include "figure/plot/coordinate_marks.h"
-#include "render/view/chosen_ground.h"
 #include "render/view/framing.h"
+#include "render/view/ground_choice.h"
 #include "render/view/shown_snapshot.h"
 
 namespace fumon {
@@ -161,7 +161,7 @@ class CoordinatesOverlay : public Overlay {
 /// figure, whose axes have numbers, a profile, or endless ground.
 std::unique_ptr<Overlay> make_coordinates_overlay(const OverlayScene& on, std::size_t number) {
     const bool profile = on.flat || on.first.section || on.first.bed.ny() < 2;
-    const bool endless = !profile && goes_on_endlessly(on.scene.view, on.first);
+    const bool endless = !profile && is_endless(on.scene.view, on.first);
     if (profile || endless) {
         throw KeyError(
             overlay_key(number, "kind"),

@@ -15,8 +15,8 @@
 #include "base/error.h"
 #include "figure/overlays/overlay.h"
 #include "figure/overlays/overlay_text.h"
-#include "render/view/chosen_ground.h"
 #include "render/view/framing.h"
+#include "render/view/ground_choice.h"
 #include "render/view/shown_snapshot.h"
 
 namespace fumon {

@@ -16,7 +16,7 @@
 #include "base/elementary_angle.h"
 #include "base/error.h"
 #include "base/whole_number.h"
-#include "render/view/hiding_ground.h"
+#include "render/view/terrain_occlusion.h"
 
 namespace fumon {
 
@@ -203,12 +203,12 @@ std::optional<GroundContours> ground_contours(const WordOrReal& asked, const Sna
 
 std::vector<CanvasContour> seen_contours(const GroundContours& contours, const Snapshot& snapshot,
                                          const ViewProjection& view) {
-    const HidingGround ground(snapshot, view.block, view.camera);
+    const TerrainOcclusion ground(snapshot, view.block, view.camera);
     std::vector<CanvasContour> lines;
     for (const ContourLine& line : contours.lines) {
         CanvasContour part{line.level, {}};
         for (const glm::dvec2& point : line.points) {
-            if (ground.seen(point)) {
+            if (ground.visible(point)) {
                 part.points.push_back(view.at(ground.point(point)));
             } else if (!part.points.empty()) {
                 lines.push_back(std::exchange(part, {line.level, {}}));

@@ -146,9 +146,9 @@ FollowedDune followed_dune(const Film& film, std::size_t shot, const FilmStage& 
     const bool goes_on = stage.repeats;
     const auto on_stage = [&](const glm::dvec2& sites, double height) {
         const Block& block = stage.block;
-        const glm::dvec2 place =
-            stage.copies.place_of({((sites.x + 0.5) / first->bed.nx() - 0.5) * block.width_x,
-                                   ((sites.y + 0.5) / first->bed.ny() - 0.5) * block.width_y});
+        const glm::dvec2 place = stage.copies.ground_position_of(
+            {((sites.x + 0.5) / first->bed.nx() - 0.5) * block.width_x,
+             ((sites.y + 0.5) / first->bed.ny() - 0.5) * block.width_y});
         return glm::dvec3(place,
                           stage.copies.raised(stage.copies.at(place), block.z(0.5 * height)));
     };

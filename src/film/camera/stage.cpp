@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "base/error.h"
-#include "render/view/chosen_ground.h"
 #include "render/view/framing.h"
+#include "render/view/ground_choice.h"
 #include "render/view/shown_snapshot.h"
 
 namespace fumon {
@@ -58,7 +58,7 @@ FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& s
     view = with_chosen_ground(view, beds.first());
     const std::optional<Snapshot> shown = shown_snapshot(beds.first(), view);
     stage.block = framed_block(view, shown ? *shown : beds.first());
-    stage.copies = far_copies_of(view, stage.block, shown ? *shown : beds.first());
+    stage.copies = tile_warp_of(view, stage.block, shown ? *shown : beds.first());
     stage.repeats = view.look.ground == Ground::endless && beds.first().periodic;
     stage.aspect = static_cast<double>(size.width) / static_cast<double>(size.height);
     return stage;
@@ -80,7 +80,7 @@ glm::dvec3 place_on_stage(const FilmStage& stage, const std::vector<double>& pla
     const Block& block = stage.block;
     const double x = place[0] / block.side - 0.5 * block.width_x;
     const double y = place[1] / block.side - 0.5 * block.width_y;
-    const glm::dvec2 shown = stage.copies.shown_at({x, y});
+    const glm::dvec2 shown = stage.copies.bed_position_at({x, y});
     const double on_bed = ground_at(stage, bed, shown.x, shown.y);
     const double above = place[2] / bed.scale.height_unit;
     const double raised =
@@ -102,7 +102,7 @@ double HighestGround::at(double x, double y) const {
     constexpr int around = 2;  // cells
     const int nx = highest_.nx();
     const int ny = highest_.ny();
-    const glm::dvec2 shown = stage_.copies.shown_at({x, y});
+    const glm::dvec2 shown = stage_.copies.bed_position_at({x, y});
     const int column = static_cast<int>(
         std::floor(std::clamp((shown.x / stage_.block.width_x + 0.5) * nx, -1e8, 1e8)));
     const int row = static_cast<int>(

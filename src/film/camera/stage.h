@@ -6,7 +6,7 @@
 #include "film/script/film_sizes.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
-#include "render/view/far_copies.h"
+#include "render/view/tile_warp.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -18,7 +18,7 @@ struct FilmStage {
     double aspect = 1.0;
     double overrun = 0.0;  ///< of its width, by which a bed that "fits" is wider than the picture
     bool repeats = false;  ///< whether its bed is seen to go on past its edges with its other side
-    FarCopies copies{};    ///< of such a bed
+    TileWarp copies{};     ///< of such a bed
 };
 
 /// The stage of a film of a run at a size. Throws InputError where the run's scene has no view in

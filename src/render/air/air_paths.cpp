@@ -42,8 +42,8 @@ class Ribbons {
             // Both ends counted from the period in which the middle lies.
             const double period =
                 length_ * std::floor((0.5 * (path.x[i - 1] + path.x[i]) + half_cell()) / length_);
-            const glm::dvec3 from = place(path.x[i - 1] - period, y, path.z[i - 1]);
-            const glm::dvec3 to = place(path.x[i] - period, y, path.z[i]);
+            const glm::dvec3 from = position(path.x[i - 1] - period, y, path.z[i - 1]);
+            const glm::dvec3 to = position(path.x[i] - period, y, path.z[i]);
             add_segment(from, to);
             const double step = glm::distance(from, to);
             for (; to_grain < step; to_grain += grain_spacing)
@@ -68,7 +68,7 @@ class Ribbons {
         return (*east - *west) / length_ * block_.width_x > shortest_path;
     }
 
-    [[nodiscard]] glm::dvec3 place(double x, double y, double z) const {
+    [[nodiscard]] glm::dvec3 position(double x, double y, double z) const {
         return {((x + half_cell()) / length_ - 0.5) * block_.width_x, y,
                 block_.z(z / strip_.scale.height_unit)};
     }
@@ -118,14 +118,14 @@ std::vector<AirVertex> grain_paths(const Snapshot& strip, const Block& block,
                                    const Camera& camera) {
     Ribbons ribbons(strip, block, camera);
     // Far ones first: nearer ones are blended over them.
-    std::vector<std::pair<double, std::size_t>> places;
+    std::vector<std::pair<double, std::size_t>> positions;
     for (std::size_t i = 0; i < strip.section->paths.size(); ++i) {
         const double share = fraction(golden_share * static_cast<double>(i + 1));
-        places.emplace_back((share - 0.5) * used_depth * block.width_y, i);
+        positions.emplace_back((share - 0.5) * used_depth * block.width_y, i);
     }
-    std::sort(places.begin(), places.end());
-    if (camera.forward.y >= 0.0) std::reverse(places.begin(), places.end());
-    for (const auto& [y, i] : places)
+    std::sort(positions.begin(), positions.end());
+    if (camera.forward.y >= 0.0) std::reverse(positions.begin(), positions.end());
+    for (const auto& [y, i] : positions)
         ribbons.add(strip.section->paths[i], y,
                     fraction(golden_share * golden_share * static_cast<double>(i + 1)));
     return ribbons.triangles();

@@ -21,23 +21,23 @@ constexpr double shortest_line = 1.0;   // in separations: shorter ones are left
 constexpr double still_air = 1e-6;      // of the fastest
 
 /// A place of a line already drawn: its pixel, and how far along the line it lies.
-struct LinePlace {
+struct LinePoint {
     glm::dvec2 at;
     int line;
     double along;
 };
 
 /// The places of all lines, sorted into square boxes one separation wide.
-class LinePlaces {
+class LinePoints {
   public:
-    LinePlaces(double width, double height, double box)
+    LinePoints(double width, double height, double box)
         : box_(box),
           columns_(static_cast<int>(width / box) + 1),
           rows_(static_cast<int>(height / box) + 1),
           boxes_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
-    void add(const LinePlace& place) {
-        boxes_[index(column_of(place.at), row_of(place.at))].push_back(place);
+    void add(const LinePoint& position) {
+        boxes_[index(column_of(position.at), row_of(position.at))].push_back(position);
     }
 
     /// Whether refuses(place) for none of the places in the boxes around `at`.
@@ -47,7 +47,7 @@ class LinePlaces {
         const int row = row_of(at);
         for (int r = std::max(row - 1, 0); r <= std::min(row + 1, rows_ - 1); ++r) {
             for (int c = std::max(column - 1, 0); c <= std::min(column + 1, columns_ - 1); ++c) {
-                const std::vector<LinePlace>& box = boxes_[index(c, r)];
+                const std::vector<LinePoint>& box = boxes_[index(c, r)];
                 if (std::any_of(box.begin(), box.end(), refuses)) return false;
             }
         }
@@ -69,7 +69,7 @@ class LinePlaces {
     double box_;
     int columns_;
     int rows_;
-    std::vector<std::vector<LinePlace>> boxes_;
+    std::vector<std::vector<LinePoint>> boxes_;
 };
 
 /// Traces lines one after the other, in pixels counted from x = 0, z = 0.
@@ -84,7 +84,7 @@ class Tracer {
           size_(air.length() * scale_.x, air.height() * scale_.y),
           separation_(settings.separation),
           step_(std::min(step_share * separation_, longest_step)),
-          places_(size_.x, size_.y, separation_) {
+          positions_(size_.x, size_.y, separation_) {
         double fastest = 0.0;
         for (std::size_t i = 0; i < u.values.values().size(); ++i)
             fastest =
@@ -136,7 +136,7 @@ class Tracer {
     /// The line through a seed in pixels; nothing where there is no room for one.
     std::optional<std::vector<glm::dvec2>> trace(glm::dvec2 seed) {
         if (!in_air(seed) || !far_enough(seed, (1.0 - 1e-9) * separation_)) return std::nullopt;
-        own_ = LinePlaces(size_.x, size_.y, separation_);
+        own_ = LinePoints(size_.x, size_.y, separation_);
         own_->add({seed, 0, 0.0});
         std::vector<glm::dvec2> line = run(seed, -1.0);
         std::reverse(line.begin(), line.end());
@@ -148,7 +148,7 @@ class Tracer {
         Streamline in_metres;
         in_metres.reserve(line.size());
         for (const glm::dvec2 at : line) {
-            places_.add({at, static_cast<int>(lines_.size()), 0.0});
+            positions_.add({at, static_cast<int>(lines_.size()), 0.0});
             in_metres.push_back(metres(at));
         }
         lines_.push_back(std::move(in_metres));
@@ -173,12 +173,12 @@ class Tracer {
     }
 
     [[nodiscard]] bool far_enough(glm::dvec2 at, double distance) const {
-        return places_.free(
-            at, [&](const LinePlace& other) { return glm::distance(at, other.at) < distance; });
+        return positions_.free(
+            at, [&](const LinePoint& other) { return glm::distance(at, other.at) < distance; });
     }
 
     [[nodiscard]] bool closes(glm::dvec2 at, double along) const {
-        return !own_->free(at, [&](const LinePlace& earlier) {
+        return !own_->free(at, [&](const LinePoint& earlier) {
             return std::abs(along - earlier.along) > separation_ &&
                    glm::distance(at, earlier.at) < closing_share * separation_;
         });
@@ -193,9 +193,9 @@ class Tracer {
 
     /// Of the air as it is drawn; nothing where it stands still.
     [[nodiscard]] std::optional<glm::dvec2> direction(glm::dvec2 at) const {
-        const glm::dvec2 place = metres(at);
-        const glm::dvec2 velocity(air_.value(u_, place.x, place.y),
-                                  air_.value(w_, place.x, place.y));
+        const glm::dvec2 position = metres(at);
+        const glm::dvec2 velocity(air_.value(u_, position.x, position.y),
+                                  air_.value(w_, position.x, position.y));
         if (!(glm::length(velocity) > slowest_)) return std::nullopt;
         return glm::normalize(velocity * scale_);
     }
@@ -208,8 +208,8 @@ class Tracer {
     double separation_;
     double step_;
     double slowest_ = 0.0;
-    LinePlaces places_;
-    std::optional<LinePlaces> own_;  // of the line being traced
+    LinePoints positions_;
+    std::optional<LinePoints> own_;  // of the line being traced
     std::vector<Streamline> lines_;
 };
 

@@ -6,7 +6,7 @@
 #include "render/frame/view_uniforms.h"
 #include "render/light/haze.h"
 #include "render/streamers/streamer_layer.h"
-#include "render/view/sun_seen.h"
+#include "render/view/visible_sun.h"
 
 namespace fumon {
 
@@ -34,10 +34,10 @@ bool looks_down(const Camera& camera) {
 
 /// The most that the disc has of the sun's irradiance over its solid angle, where all of it counts
 /// and where a picture's white is enough. A lens that spreads it keeps it white.
-double disc_brightness(const View& view, const Camera& camera, PixelKind wanted) {
+double disc_brightness(const View& view, const Camera& camera, PixelFormat wanted) {
     constexpr double radiance = 200.0;
     constexpr double white = 16.0;
-    if (wanted == PixelKind::radiance) return radiance;
+    if (wanted == PixelFormat::radiance) return radiance;
     const double spread = camera.lens.radius / camera.lens.focus / disc_radius;
     return view.camera.has_lens() ? std::min(radiance, white * (1.0 + spread) * (1.0 + spread))
                                   : white;
@@ -56,7 +56,7 @@ const gl::TextureLayout floor_layout{GL_RG8,    GL_RG, GL_UNSIGNED_BYTE,
 
 BackgroundLayer::BackgroundLayer(const View& view, const Block& block, const Light& light,
                                  const FloorMap& floor, const gl::Constants& fixed,
-                                 PixelKind wanted)
+                                 PixelFormat wanted)
     : view_(view),
       block_(block),
       fixed_(fixed),
@@ -102,7 +102,7 @@ void BackgroundLayer::start_clouds(const Light& light, const Camera& camera, con
     const int width = tile.width / 2 + 4;
     const int height = tile.height / 2 + 4;
     if (!cloud_target_ || cloud_target_->width() < width || cloud_target_->height() < height)
-        cloud_target_.emplace(width, height, colour_layout(PixelKind::radiance));
+        cloud_target_.emplace(width, height, colour_layout(PixelFormat::radiance));
     if (!cloud_program_)
         cloud_program_.emplace("common/screen.vert.glsl", "background/clouds.frag.glsl",
                                std::initializer_list<const char*>{}, fixed_);
@@ -155,15 +155,15 @@ void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile&
     std::vector<glm::vec2> corners;
     corners.reserve(6 * parts.size());
     for (const Tile& part : parts) {
-        const auto place = [&](int x, int y) {
+        const auto position = [&](int x, int y) {
             return glm::vec2(2.0F * static_cast<float>(x) / static_cast<float>(tile.width) - 1.0F,
                              1.0F - 2.0F * static_cast<float>(y) / static_cast<float>(tile.height));
         };
         const int right = part.x + part.width;
         const int lower = part.y + part.height;
-        corners.insert(corners.end(),
-                       {place(part.x, lower), place(right, lower), place(right, part.y),
-                        place(part.x, lower), place(right, part.y), place(part.x, part.y)});
+        corners.insert(corners.end(), {position(part.x, lower), position(right, lower),
+                                       position(right, part.y), position(part.x, lower),
+                                       position(right, part.y), position(part.x, part.y)});
     }
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(parts_array_.name());

@@ -6,7 +6,7 @@
 #include "gl/dynamic_buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "render/colour/pixel_kind.h"
+#include "render/colour/pixel_format.h"
 #include "render/light/floor_map.h"
 #include "render/light/light.h"
 #include "render/view/block.h"
@@ -24,7 +24,7 @@ class BackgroundLayer {
   public:
     /// `wanted`: of the picture, which may be drawn from others.
     BackgroundLayer(const View& view, const Block& block, const Light& light, const FloorMap& floor,
-                    const gl::Constants& fixed, PixelKind wanted);
+                    const gl::Constants& fixed, PixelFormat wanted);
 
     /// For the light of another sun.
     void set_floor(const FloorMap& floor) const;
@@ -54,7 +54,7 @@ class BackgroundLayer {
     View view_;
     Block block_;
     gl::Constants fixed_;
-    PixelKind wanted_;
+    PixelFormat wanted_;
     std::array<std::optional<gl::Program>, 8> programs_;  // made as they are needed
     float clouds_;                                        // of the programs
     std::optional<gl::Program> cloud_program_;

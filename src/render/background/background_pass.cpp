@@ -1,7 +1,7 @@
 #include "render/background/background_pass.h"
 
 #include "gl/functions.h"
-#include "render/samples/pixel_vectors.h"
+#include "render/samples/pixel_class_vectors.h"
 
 namespace fumon {
 
@@ -39,7 +39,8 @@ std::optional<RowOrder> BackgroundPass::draw_uncovered(
     } else {
         gl.Enable(GL_STENCIL_TEST);
         gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-        gl.StencilFunc(GL_GREATER, pixel_vectors::first_whole, 0xFF);  // than the pixel's kind
+        gl.StencilFunc(GL_GREATER, pixel_class_vectors::first_single_surface,
+                       0xFF);  // than the pixel's kind
         layer_.draw(tile.light, tile.camera, tile.tile, RowOrder::upward);
         gl.Disable(GL_STENCIL_TEST);
     }

@@ -18,7 +18,7 @@ class BackgroundPass {
   public:
     /// See BackgroundLayer; `several`: pictures of one camera may follow.
     BackgroundPass(const View& view, const Block& block, const Light& light, const FloorMap& floor,
-                   const gl::Constants& fixed, PixelKind wanted, bool several)
+                   const gl::Constants& fixed, PixelFormat wanted, bool several)
         : layer_(view, block, light, floor, fixed, wanted), several_(several) {}
 
     /// For the light of another sun.

@@ -19,9 +19,10 @@ constexpr int enough_texels = 1024;  // along the longer side of the shaded bed,
 constexpr double finest_shown = 1.0;
 constexpr double most_texels_across = 4096;
 constexpr double most_texels_seen = 2e6;
-constexpr int coarsest_seen = 3;  // mipmap: at an edge the samples' places are no neighbours
-constexpr int beyond_seen =
-    3 << coarsest_seen;                    // texels that the coarsest one at a border takes in
+constexpr int coarsest_mip_level_read =
+    3;  // mipmap: at an edge the samples' places are no neighbours
+constexpr int border_texels =
+    3 << coarsest_mip_level_read;          // texels that the coarsest one at a border takes in
 constexpr double texels_per_sample = 1.3;  // beyond which mipmaps are needed against shimmer
 constexpr double natural_spread = 2.2;     // standard deviations from trough to crest, half of it
 constexpr double least_natural_range = 0.03;  // of the longer side: a nearly flat bed stays even
@@ -46,7 +47,7 @@ gl::TextureLayout repeated(gl::TextureLayout layout, Ground ground) {
     if (ground == Ground::endless) {
         layout.wrap = GL_REPEAT;
         layout.minification = GL_LINEAR_MIPMAP_LINEAR;
-        layout.coarsest = gl::TextureLayout{}.coarsest;
+        layout.coarsest_mip_level = gl::TextureLayout{}.coarsest_mip_level;
     }
     return layout;
 }
@@ -58,7 +59,7 @@ gl::TextureLayout lighting_layout_of(Ground ground, bool by_pixels) {
     gl::TextureLayout layout = repeated(lighting_layout, ground);
     if (by_pixels) {
         layout.minification = GL_LINEAR_MIPMAP_NEAREST;
-        layout.coarsest = coarsest_of_pixels;
+        layout.coarsest_mip_level = coarsest_of_pixels;
     }
     return layout;
 }
@@ -93,11 +94,11 @@ const gl::TextureLayout coarse_noise_layout{GL_RGBA8,  GL_RGBA, GL_UNSIGNED_BYTE
 
 /// The colours of endless ground are lit later: a byte's step of a dark one is two levels of the
 /// picture, and falls elsewhere on a bed that is shifted.
-gl::TextureLayout shaded_layout(Ground ground, bool mipmaps, PixelKind kind) {
+gl::TextureLayout shaded_layout(Ground ground, bool mipmaps, PixelFormat kind) {
     gl::TextureLayout layout =
-        colour_layout(ground == Ground::endless ? PixelKind::display_16 : kind);
+        colour_layout(ground == Ground::endless ? PixelFormat::display_16 : kind);
     if (mipmaps) layout.minification = GL_LINEAR_MIPMAP_LINEAR;
-    layout.coarsest = coarsest_seen;
+    layout.coarsest_mip_level = coarsest_mip_level_read;
     return layout;
 }
 
@@ -160,12 +161,13 @@ std::pair<double, double> natural_range(const Snapshot& snapshot, const Block& b
 /// Palette places up to which ground between dunes is bare floor, and from which it is sand alone:
 /// by the heights that a twentieth of the bed is below and above; and how far there is such ground
 /// at all, since a bed that is nearly flat is all alike.
-glm::vec3 floor_places(const Field<float>& values, std::pair<double, double> range) {
+glm::vec3 floor_coordinates(const Field<float>& values, std::pair<double, double> range) {
     std::vector<float> sorted(values.values().begin(), values.values().end());
     const auto at = [&](double share) {
-        const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size()));
-        std::nth_element(sorted.begin(), sorted.begin() + place, sorted.end());
-        return static_cast<double>(sorted[static_cast<std::size_t>(place)]);
+        const auto position =
+            static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size()));
+        std::nth_element(sorted.begin(), sorted.begin() + position, sorted.end());
+        return static_cast<double>(sorted[static_cast<std::size_t>(position)]);
     };
     const double low = (at(0.05) - range.first) / (range.second - range.first);
     const double span = (at(0.95) - range.first) / (range.second - range.first) - low;
@@ -177,7 +179,7 @@ glm::vec3 floor_places(const Field<float>& values, std::pair<double, double> ran
 
 BedShading::BedShading(const View& view, const Block& block, const Snapshot& first,
                        const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed,
-                       const gl::MipmapMaker& mipmaps, PixelKind kind)
+                       const gl::MipmapMaker& mipmaps, PixelFormat kind)
     : view_(view),
       block_(block),
       refinement_(first_bed.z.nx() / first.bed.nx()),
@@ -234,7 +236,7 @@ Field<float> BedShading::ranged_values(const Snapshot& snapshot, const Snapshot&
         const auto [low, high] = natural_range(snapshot, block_);
         range_ = {low, high};
     } else {
-        range_ = drawn_colours(view_.look, snapshot, values, range_, keeps_range_);
+        range_ = frame_colour_range(view_.look, snapshot, values, range_, keeps_range_);
     }
     const Mask without = uncoloured_cells(view_.look.colour_by, snapshot);
     if (!without.empty()) continue_outward(values, without, static_cast<float>(range_.low));
@@ -258,11 +260,11 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
     }
     lighting_.upload(lighting.data());
     const Field<float> values = ranged_values(snapshot, first);
-    const Field<std::uint16_t> places =
-        palette_places(refined(values, refinement_), {range_.low, range_.high});
-    values_.upload(places.data());
+    const Field<std::uint16_t> positions =
+        palette_coordinates(refined(values, refinement_), {range_.low, range_.high});
+    values_.upload(positions.data());
     upload_marks(snapshot, {});
-    if (water_) water_->upload(snapshot, first, *water, places);
+    if (water_) water_->upload(snapshot, first, *water, positions);
 }
 
 void BedShading::upload(const Snapshot& snapshot, const Snapshot& first, const RepeatedLight& light,
@@ -274,11 +276,11 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first, const R
     lighting_.upload(light.texels.data());
     constexpr int margin = 2;  // cells that the refinement looks at
     const Field<float> values = ranged_values(snapshot, first);
-    floor_places_ = floor_places(values, {range_.low, range_.high});
+    floor_coordinates_ = floor_coordinates(values, {range_.low, range_.high});
     const Field<float> drawn = rolled(values, origin.east, origin.north);
     const Field<float> wide = refined(with_margin(drawn, margin), refinement_);
     values_.upload(
-        palette_places(without_margin(wide, margin * refinement_), {range_.low, range_.high})
+        palette_coordinates(without_margin(wide, margin * refinement_), {range_.low, range_.high})
             .data());
     upload_marks(snapshot, origin);
 }
@@ -308,7 +310,7 @@ void BedShading::bind(const gl::Program& program) const {
     program.set("marks", mark_number(view_.look.mark));
     program.set("natural", view_.look.colour_by == Colouring::natural ? 1.0F : 0.0F);
     program.set("rock", static_cast<float>(block_.rock));
-    program.set("floor_values", floor_places_);
+    program.set("floor_values", floor_coordinates_);
     set_sand(program, view_.look);
 }
 
@@ -320,7 +322,7 @@ void BedShading::bind_all(const gl::Program& program, const Light& light, const 
 }
 
 /// Of ground under water, which has detail below the grid: as fine as the picture shows it.
-void BedShading::size_for(const SeenPart& part) {
+void BedShading::size_for(const VisiblePart& part) {
     const glm::dvec2 seen = glm::max(part.high - part.low, glm::dvec2(0.0));
     const auto fits = [&](int doubled) {
         const glm::ivec2 size = target_size_ * doubled;
@@ -343,9 +345,9 @@ void BedShading::shade(const Light& light, const Camera& camera) {
         return;
     }
     const gl::Functions& gl = gl::functions();
-    SeenPart part;
+    VisiblePart part;
     if (water_) {
-        part = seen_part(camera, view_, block_);
+        part = visible_part(camera, view_, block_);
         size_for(part);
     }
     target_->bind();
@@ -354,21 +356,21 @@ void BedShading::shade(const Light& light, const Camera& camera) {
     bind_all(program_, light, camera, block_.width_x / target_->width());
     if (water_) {
         const glm::dvec2 size(target_->width(), target_->height());
-        const glm::ivec2 low = glm::ivec2(glm::floor(part.low * size)) - beyond_seen;
-        const glm::ivec2 high = glm::ivec2(glm::ceil(part.high * size)) + beyond_seen;
+        const glm::ivec2 low = glm::ivec2(glm::floor(part.low * size)) - border_texels;
+        const glm::ivec2 high = glm::ivec2(glm::ceil(part.high * size)) + border_texels;
         const glm::ivec2 extent = glm::max(high - low, 0);
         gl.Enable(GL_SCISSOR_TEST);
         gl.Scissor(low.x, low.y, extent.x, extent.y);
     }
     // Texels of the target are no larger than those of the maps, of which no means are looked at.
-    if (view_.look.ground == Ground::endless) lighting_.bind_level(0, 0);
+    if (view_.look.ground == Ground::endless) lighting_.bind_mip_level(0, 0);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    if (view_.look.ground == Ground::endless) lighting_.bind_all_levels(0);
+    if (view_.look.ground == Ground::endless) lighting_.bind_all_mip_levels(0);
     gl.Disable(GL_SCISSOR_TEST);
     if (shaded_mipmaps_) mipmaps_.make(target_->colour());
 }
 
-void BedShading::read(BlockColours& colours) const {
+void BedShading::read(BlockTexture& colours) const {
     colours.width = target_->width();
     colours.height = target_->height();
     colours.texels.resize(static_cast<std::size_t>(colours.width) *

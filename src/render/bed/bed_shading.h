@@ -11,15 +11,15 @@
 #include "gl/texture.h"
 #include "render/bed/water_shading.h"
 #include "render/colour/colouring.h"
-#include "render/colour/pixel_kind.h"
+#include "render/colour/pixel_format.h"
 #include "render/light/light.h"
 #include "render/light/repeated_light.h"
-#include "render/samples/block_samples.h"
+#include "render/samples/block_rasteriser.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/display_bed.h"
 #include "render/view/drawn_origin.h"
-#include "render/view/seen_part.h"
+#include "render/view/visible_part.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -32,7 +32,7 @@ class BedShading {
     /// it. Throws InputError for an unknown palette.
     BedShading(const View& view, const Block& block, const Snapshot& first,
                const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed,
-               const gl::MipmapMaker& mipmaps, PixelKind kind = PixelKind::display_8);
+               const gl::MipmapMaker& mipmaps, PixelFormat kind = PixelFormat::display_8);
 
     /// Uploads what light (see lighting_texels) and colouring make of a snapshot. `water` is given
     /// where draws_water says so.
@@ -54,7 +54,7 @@ class BedShading {
                   double texel) const;
 
     /// The values at the palette's ends in what was shaded last.
-    [[nodiscard]] const DrawnColours& range() const { return range_; }
+    [[nodiscard]] const FrameColourRange& range() const { return range_; }
     /// Keeps the range of the first snapshot whose values differ for all later ones, unless
     /// look.range is "frame".
     void keep_range() { keeps_range_ = true; }
@@ -63,14 +63,14 @@ class BedShading {
     [[nodiscard]] const gl::Texture2D& colours() const { return target_->colour(); }
     [[nodiscard]] const gl::Texture2D& lighting() const { return lighting_; }
     /// Reads them, of 8 bits.
-    void read(BlockColours& colours) const;
+    void read(BlockTexture& colours) const;
     /// Cells of its maps, eastward and northward.
     [[nodiscard]] glm::ivec2 cells() const { return {lighting_.width(), lighting_.height()}; }
     [[nodiscard]] bool has_mipmaps() const { return shaded_mipmaps_; }
 
   private:
     void draw_noise();
-    void size_for(const SeenPart& part);
+    void size_for(const VisiblePart& part);
     Field<float> ranged_values(const Snapshot& snapshot, const Snapshot& first);
     void upload_marks(const Snapshot& snapshot, const DrawnOrigin& origin);
 
@@ -80,10 +80,10 @@ class BedShading {
     const gl::MipmapMaker& mipmaps_;
     bool shaded_mipmaps_;
     bool by_pixels_;  ///< see shades_water_by_pixel()
-    DrawnColours range_;
+    FrameColourRange range_;
     bool keeps_range_ = false;
-    glm::vec2 noise_origin_{0.0F};  ///< where the drawn bed begins
-    glm::vec3 floor_places_{0.0F};  ///< of palette places, of endless ground
+    glm::vec2 noise_origin_{0.0F};       ///< where the drawn bed begins
+    glm::vec3 floor_coordinates_{0.0F};  ///< of palette places, of endless ground
     gl::Program program_;
     gl::Texture2D palette_;
     gl::Texture2D lighting_;

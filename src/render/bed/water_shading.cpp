@@ -27,7 +27,7 @@ const gl::TextureLayout wet_ground_layout{GL_RGBA8,  GL_RGBA, GL_UNSIGNED_BYTE,
 gl::TextureLayout with_mipmaps(gl::TextureLayout layout, const gl::MipmapMaker* mipmaps) {
     if (mipmaps != nullptr) {
         layout.minification = GL_LINEAR_MIPMAP_NEAREST;
-        layout.coarsest = 3;
+        layout.coarsest_mip_level = 3;
     }
     return layout;
 }
@@ -179,7 +179,7 @@ WaterShading::WaterShading(const View& view, const Block& block, int nx, int ny,
       streaks_(grain_size, grain_size, streak_layout, streak_texels().data()),
       rills_(grain_size, grain_size, streak_layout, rill_texels(streak_texels()).data()),
       rings_(ring_texels, ring_texels, ring_layout) {
-    rings_.make_room_for_mipmaps();
+    rings_.allocate_mipmaps();
 }
 
 void WaterShading::upload(const Snapshot& snapshot, const Snapshot& first,
@@ -229,8 +229,8 @@ void WaterShading::set_uniforms(const gl::Program& program, int unit, const Came
     program.set("rill_map", unit + 4);
     program.set("ring_map", ring_unit);
     program.set("ring_layers", rains_ ? ring_layers : 0);
-    program.set("ring_tile", static_cast<float>(ring_tile / block_.side));
-    program.set("ring_ends", glm::vec2(steepest_ring, roughest_ring));
+    program.set("ring_tile_m", static_cast<float>(ring_tile_m / block_.side));
+    program.set("ring_ends", glm::vec2(max_ring_slope, max_ring_mean_square_slope));
     program.set("ring_mean", ring_mean_);
     program.set("clarity", static_cast<float>(clarity_));
     program.set("turbidity", static_cast<float>(view_.look.turbidity));

@@ -30,7 +30,7 @@ class WaterShading {
                  const gl::MipmapMaker* mipmaps);
 
     /// Takes the water of a snapshot, and what it has done to the bed since `first`. `values`: see
-    /// palette_places().
+    /// palette_coordinates().
     void upload(const Snapshot& snapshot, const Snapshot& first, const DisplayWater& water,
                 const Field<std::uint16_t>& values);
 
@@ -56,7 +56,7 @@ class WaterShading {
     gl::Texture2D rills_;
     gl::Texture2D rings_;  ///< of drops, while it rains
     bool rains_ = false;
-    float ring_mean_ = 0.0F;  ///< their mean square slope, in parts of roughest_ring
+    float ring_mean_ = 0.0F;  ///< their mean square slope, in parts of max_ring_mean_square_slope
     double clarity_ = 1.0;
     double usual_froude_ = 0.0;
     double closed_depth_ = 1.0;  ///< m

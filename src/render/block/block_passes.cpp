@@ -9,21 +9,21 @@
 namespace fumon {
 
 void DryBlockPass::draw(const TileFrame& tile, const TerrainLayer& terrain,
-                        const BedShading& shading, BlockSamples& coverage, Image& image) {
+                        const BedShading& shading, BlockRasteriser& coverage, Image& image) {
     if (!coloured_) {
         shading.read(colours_);
-        coverage.set_colours(terrain.grain_over_block(), colours_);
+        coverage.set_texture(terrain.grain_over_block(), colours_);
         coloured_ = true;
     }
-    coverage.see(terrain.shape(tile.camera), tile.camera, tile.tile, tile.pool, image);
+    coverage.rasterise(terrain.shape(tile.camera), tile.camera, tile.tile, tile.pool, image);
 }
 
 void BlockSidesPass::draw(const TileFrame& tile, TerrainLayer& terrain,
-                          const gl::RenderTarget& target, BlockSamples& coverage) {
+                          const gl::RenderTarget& target, BlockRasteriser& coverage) {
     const gl::Functions& gl = gl::functions();
     const TileSamples placed = tile.pixels({target.width(), target.height()});
     for (int side = 0; side < 4; ++side) {
-        const Tile& part = coverage.part_of_side(side);
+        const Tile& part = coverage.side_rectangle(side);
         if (part.width == 0) continue;
         const glm::ivec2 corner(part.x, tile.tile.height - part.y - part.height);
         target.bind();
@@ -33,7 +33,7 @@ void BlockSidesPass::draw(const TileFrame& tile, TerrainLayer& terrain,
             gl.Clear(GL_COLOR_BUFFER_BIT);
             terrain.shade_side(side, tile.light, tile.camera, placed);
         }
-        std::vector<std::uint32_t>& colours = coverage.colours_of_side(side);
+        std::vector<std::uint32_t>& colours = coverage.side_colours(side);
         colours.resize(static_cast<std::size_t>(part.width) *
                        static_cast<std::size_t>(part.height));
         gl.ReadPixels(corner.x, corner.y, part.width, part.height, GL_RGBA, GL_UNSIGNED_BYTE,
@@ -42,7 +42,7 @@ void BlockSidesPass::draw(const TileFrame& tile, TerrainLayer& terrain,
 }
 
 void BlockCompositePass::draw(const TileFrame& tile, const std::vector<ColourPlanes>& background,
-                              const BlockSamples& coverage, Image& image) {
+                              const BlockRasteriser& coverage, Image& image) {
     coverage.finish(background, tile.pool, image);
 }
 

@@ -5,8 +5,8 @@
 #include "render/bed/bed_shading.h"
 #include "render/block/terrain_layer.h"
 #include "render/frame/tile_frame.h"
-#include "render/samples/block_samples.h"
-#include "render/samples/sample_vectors.h"
+#include "render/samples/block_rasteriser.h"
+#include "render/samples/resolve_vectors.h"
 
 namespace fumon {
 
@@ -17,10 +17,10 @@ class DryBlockPass {
     /// Before the tiles of a picture whose bed has been shaded anew.
     void forget_colours() { coloured_ = false; }
     void draw(const TileFrame& tile, const TerrainLayer& terrain, const BedShading& shading,
-              BlockSamples& coverage, Image& image);
+              BlockRasteriser& coverage, Image& image);
 
   private:
-    BlockColours colours_;  // room for the next ones
+    BlockTexture colours_;  // room for the next ones
     bool coloured_ = false;
 };
 
@@ -28,14 +28,14 @@ class DryBlockPass {
 /// reads them.
 struct BlockSidesPass {
     static void draw(const TileFrame& tile, TerrainLayer& terrain, const gl::RenderTarget& target,
-                     BlockSamples& coverage);
+                     BlockRasteriser& coverage);
 };
 
 /// Puts together, sample by sample, the pixels that see more than the surface: with sides, and with
 /// the background behind them.
 struct BlockCompositePass {
     static void draw(const TileFrame& tile, const std::vector<ColourPlanes>& background,
-                     const BlockSamples& coverage, Image& image);
+                     const BlockRasteriser& coverage, Image& image);
 };
 
 }  // namespace fumon

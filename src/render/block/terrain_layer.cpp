@@ -22,8 +22,8 @@ const gl::TextureLayout grain_layout{
 
 /// A corner of a side face as block/side.vert.glsl takes it.
 struct SideCorner {
-    MeshPlace at;
-    MeshPlace normal;
+    MeshPosition at;
+    MeshPosition normal;
     float height;
     float ground;
     float surface;
@@ -35,22 +35,22 @@ constexpr GLint border_stencil = 3;  // and the next three
 // By which the rectangle around a border's faces is larger, in block lengths: more than rounding.
 constexpr float around_faces = 0.01F;
 
-constexpr std::array<MeshPlace, 4> border_normals = {
+constexpr std::array<MeshPosition, 4> border_normals = {
     {{-1.0F, 0.0F}, {1.0F, 0.0F}, {0.0F, -1.0F}, {0.0F, 1.0F}}};
 
-void float_attribute(GLuint place, GLint count, std::size_t stride, std::size_t offset) {
+void float_attribute(GLuint position, GLint count, std::size_t stride, std::size_t offset) {
     const gl::Functions& gl = gl::functions();
-    gl.VertexAttribPointer(place, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+    gl.VertexAttribPointer(position, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
                            reinterpret_cast<const void*>(offset));
-    gl.EnableVertexAttribArray(place);
+    gl.EnableVertexAttribArray(position);
 }
 
 /// With its mipmaps: a driver that makes them compiles shaders for that.
 gl::Texture2D grain_texture() {
     std::vector<std::uint8_t> texels = grain_texels();
     gl::Texture2D grain(grain_size, grain_size, grain_layout, texels.data());
-    for (int level = 1; level <= grain_layout.coarsest; ++level) {
-        texels = halved_texels(texels, grain_size >> (level - 1));
+    for (int level = 1; level <= grain_layout.coarsest_mip_level; ++level) {
+        texels = downsampled_texels(texels, grain_size >> (level - 1));
         grain.set_mipmap(level, texels.data());
     }
     return grain;
@@ -112,8 +112,8 @@ void TerrainLayer::build(const DisplayBed& bed, int stride) {
     const gl::Functions& gl = gl::functions();
 
     gl.BindVertexArray(surface_array_.name());
-    places_.fill(lattice_.places);
-    float_attribute(0, 2, sizeof(MeshPlace), 0);
+    positions_.fill(lattice_.positions);
+    float_attribute(0, 2, sizeof(MeshPosition), 0);
     heights_.bind();
     float_attribute(1, 1, sizeof(float), 0);
     triangles_.bind();
@@ -184,10 +184,10 @@ void TerrainLayer::set_sides(const std::vector<SideFace>& borders, const Display
         for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) triangles.push_back(first + k);
     };
     const auto add_face = [&](Faces& faces, const SideFace& face) {
-        const auto corner = [&](std::uint32_t vertex, MeshPlace normal, bool low) {
+        const auto corner = [&](std::uint32_t vertex, MeshPosition normal, bool low) {
             lowest = std::min(lowest, lower(vertex));
             highest = std::max({highest, surface_[vertex], ground(vertex)});
-            return SideCorner{lattice_.places[vertex], normal,
+            return SideCorner{lattice_.positions[vertex], normal,
                               low ? lower(vertex) : surface_[vertex], ground(vertex),
                               surface_[vertex]};
         };
@@ -201,7 +201,7 @@ void TerrainLayer::set_sides(const std::vector<SideFace>& borders, const Display
     for (const SideFace& face : rim_) add_face(faces_.back(), face);
     faces_.back().coloured = faces_.back().drawn;
     for (std::size_t side = 0; side < border_normals.size(); ++side) {
-        const MeshPlace normal = border_normals[side];
+        const MeshPosition normal = border_normals[side];
         Faces faces{border_stencil + static_cast<GLint>(side), true, {}, 0, {}, 0};
         for (const SideFace& face : borders) {
             if (face.normal_from.east != normal.east || face.normal_from.north != normal.north)
@@ -214,7 +214,7 @@ void TerrainLayer::set_sides(const std::vector<SideFace>& borders, const Display
         Faces& faces = faces_[1 + side];
         if (faces.drawn.empty()) continue;
         // From left to right as seen from outside.
-        const MeshPlace normal = border_normals[side];
+        const MeshPosition normal = border_normals[side];
         const auto corner = [&](float along, float height) {
             return SideCorner{{0.5F + 0.5F * normal.east - along * normal.north,
                                0.5F + 0.5F * normal.north + along * normal.east},
@@ -238,11 +238,11 @@ void TerrainLayer::set_sides(const std::vector<SideFace>& borders, const Display
         faces.first_coloured = triangles.size();
         triangles.insert(triangles.end(), faces.coloured.begin(), faces.coloured.end());
     }
-    side_places_.clear();
+    side_positions_.clear();
     side_heights_.clear();
     for (const SideCorner& corner : corners) {
-        side_places_.push_back(corner.at.east);
-        side_places_.push_back(corner.at.north);
+        side_positions_.push_back(corner.at.east);
+        side_positions_.push_back(corner.at.north);
         side_heights_.push_back(corner.height);
     }
     gl::functions().BindVertexArray(side_array_.name());
@@ -250,8 +250,8 @@ void TerrainLayer::set_sides(const std::vector<SideFace>& borders, const Display
     side_triangles_.fill(triangles);
 }
 
-void TerrainLayer::place(const gl::Program& program, const Camera& camera,
-                         const TileSamples& tile) const {
+void TerrainLayer::set_transform(const gl::Program& program, const Camera& camera,
+                                 const TileSamples& tile) const {
     program.use();
     program.set("clip_from_world", glm::mat4(clip_matrix(camera)));
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
@@ -262,7 +262,7 @@ void TerrainLayer::place(const gl::Program& program, const Camera& camera,
     program.set("height_span", height_span_);
 }
 
-bool TerrainLayer::no_back_is_seen(const Camera& camera) const {
+bool TerrainLayer::backs_are_hidden(const Camera& camera) const {
     const bool from_above =
         camera.perspective ? camera.eye.z > block_.base : camera.forward.z < 0.0;
     return view_.look.block_sides && from_above;
@@ -281,13 +281,13 @@ void TerrainLayer::rasterise(const Camera& camera, const TileSamples& tile) {
     gl.Enable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    if (no_back_is_seen(camera)) gl.Enable(GL_CULL_FACE);
-    place(programs.surface, camera, tile);
+    if (backs_are_hidden(camera)) gl.Enable(GL_CULL_FACE);
+    set_transform(programs.surface, camera, tile);
     gl.StencilFunc(GL_ALWAYS, surface_stencil, 0xFF);
     gl.BindVertexArray(surface_array_.name());
     gl.DrawElements(GL_TRIANGLES, indices_, GL_UNSIGNED_INT, nullptr);
     if (view_.look.block_sides) {
-        place(programs.sides, camera, tile);
+        set_transform(programs.sides, camera, tile);
         gl.BindVertexArray(side_array_.name());
         for (const Faces& faces : faces_) {
             gl.StencilFunc(GL_ALWAYS, faces.stencil, 0xFF);
@@ -299,7 +299,7 @@ void TerrainLayer::rasterise(const Camera& camera, const TileSamples& tile) {
     gl.BindVertexArray(0);
 }
 
-void TerrainLayer::shade_samples(const gl::Texture2D& seen, const gl::Texture2D& colours,
+void TerrainLayer::shade_samples(const gl::Texture2D& visibility, const gl::Texture2D& colours,
                                  const Light& light, const Camera& camera, const TileSamples& tile,
                                  const glm::ivec2& offset) {
     const gl::Functions& gl = gl::functions();
@@ -307,7 +307,7 @@ void TerrainLayer::shade_samples(const gl::Texture2D& seen, const gl::Texture2D&
     gl.Disable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    seen.bind(2);
+    visibility.bind(2);
     programs.surface_colours.use();
     programs.surface_colours.set("visibility", 2);
     set_surface(programs.surface_colours, colours);
@@ -316,7 +316,7 @@ void TerrainLayer::shade_samples(const gl::Texture2D& seen, const gl::Texture2D&
     gl.BindVertexArray(no_attributes_.name());
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     if (view_.look.block_sides) {
-        place(programs.side_colours, camera, tile);
+        set_transform(programs.side_colours, camera, tile);
         programs.side_colours.set("visibility", 2);
         set_sides(programs.side_colours, light, camera);
         gl.BindVertexArray(side_array_.name());
@@ -341,12 +341,12 @@ void TerrainLayer::rasterise_positions(const gl::Program& surface, const gl::Pro
     const gl::Functions& gl = gl::functions();
     upload_surface();
     gl.Enable(GL_DEPTH_TEST);
-    if (no_back_is_seen(camera)) gl.Enable(GL_CULL_FACE);
-    place(surface, camera, tile);
+    if (backs_are_hidden(camera)) gl.Enable(GL_CULL_FACE);
+    set_transform(surface, camera, tile);
     gl.BindVertexArray(surface_array_.name());
     gl.DrawElements(GL_TRIANGLES, indices_, GL_UNSIGNED_INT, nullptr);
     if (view_.look.block_sides) {
-        place(sides, camera, tile);
+        set_transform(sides, camera, tile);
         gl.BindVertexArray(side_array_.name());
         for (const Faces& faces : faces_) draw_triangles(faces.first_drawn, faces.drawn.size());
     }

@@ -11,7 +11,7 @@
 #include "render/frame/tile_samples.h"
 #include "render/ground/terrain_mesh.h"
 #include "render/light/light.h"
-#include "render/samples/block_samples.h"
+#include "render/samples/block_rasteriser.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "scene/scene.h"
@@ -53,17 +53,17 @@ class TerrainLayer {
     /// Colours, in the bound target, the samples whose stencils that has set: each sample once,
     /// however many triangles its neighbours see. `colours`: those of BedShading, or of
     /// WaterPixels, whose pixels begin at the sample `offset`.
-    void shade_samples(const gl::Texture2D& seen, const gl::Texture2D& colours, const Light& light,
-                       const Camera& camera, const TileSamples& tile,
+    void shade_samples(const gl::Texture2D& visibility, const gl::Texture2D& colours,
+                       const Light& light, const Camera& camera, const TileSamples& tile,
                        const glm::ivec2& offset = {});
 
     /// Binds the sand's grain to a unit and sets how it is seen, of the program in use.
     void set_grain(const gl::Program& program, int unit) const;
 
-    /// The same triangles, for BlockSamples; of a block without rim, until the next bed.
-    [[nodiscard]] BlockShape shape(const Camera& camera) const;
-    /// Whether BlockSamples can take it from there.
-    [[nodiscard]] bool lies_before(const Camera& camera) const;
+    /// The same triangles, for BlockRasteriser; of a block without rim, until the next bed.
+    [[nodiscard]] BlockMesh shape(const Camera& camera) const;
+    /// Whether BlockRasteriser can take it from there.
+    [[nodiscard]] bool needs_no_clipping(const Camera& camera) const;
     /// Texels of the grain over the block, eastward and northward.
     [[nodiscard]] glm::vec2 grain_over_block() const;
     /// By how much it darkens and lightens, 0: not at all.
@@ -82,10 +82,11 @@ class TerrainLayer {
   private:
     void build(const DisplayBed& bed, int stride);
     void set_sides(const std::vector<SideFace>& borders, const DisplayBed& bed);
-    void place(const gl::Program& program, const Camera& camera, const TileSamples& tile) const;
+    void set_transform(const gl::Program& program, const Camera& camera,
+                       const TileSamples& tile) const;
     /// Of the bound array, `count` indices from the place `first` on.
     static void draw_triangles(std::size_t first, std::size_t count);
-    [[nodiscard]] bool no_back_is_seen(const Camera& camera) const;
+    [[nodiscard]] bool backs_are_hidden(const Camera& camera) const;
     void set_surface(const gl::Program& program, const gl::Texture2D& colours) const;
     void set_sides(const gl::Program& program, const Light& light, const Camera& camera) const;
 
@@ -123,7 +124,7 @@ class TerrainLayer {
     gl::VertexArray surface_array_;
     gl::VertexArray side_array_;
     gl::VertexArray no_attributes_;
-    gl::DynamicBuffer places_{GL_ARRAY_BUFFER};
+    gl::DynamicBuffer positions_{GL_ARRAY_BUFFER};
     gl::DynamicBuffer heights_{GL_ARRAY_BUFFER};
     gl::DynamicBuffer triangles_{GL_ELEMENT_ARRAY_BUFFER};
     gl::DynamicBuffer side_corners_{GL_ARRAY_BUFFER};
@@ -134,8 +135,8 @@ class TerrainLayer {
     std::vector<float> ground_;   // heights of the lattice's vertices, block lengths
     std::vector<float> surface_;  // heights of the lattice's vertices, water included
     TerrainMesh mesh_;
-    bool uploaded_ = false;           // these two
-    std::vector<float> side_places_;  // of the corners of sides, east and north by turns
+    bool uploaded_ = false;              // these two
+    std::vector<float> side_positions_;  // of the corners of sides, east and north by turns
     std::vector<float> side_heights_;
     GLsizei indices_ = 0;
     float clarity_ = 1.0F;

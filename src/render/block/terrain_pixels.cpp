@@ -13,11 +13,12 @@ namespace {
 constexpr double around_box = 0.01;  // block lengths
 constexpr std::size_t rim = 1;       // faces before those of the four sides
 
-static_assert(std::is_trivially_copyable_v<MeshPlace> && sizeof(MeshPlace) == 2 * sizeof(float));
+static_assert(std::is_trivially_copyable_v<MeshPosition> &&
+              sizeof(MeshPosition) == 2 * sizeof(float));
 
 constexpr int sides = 4;  // west, east, south, north
-constexpr int strips_a_side = 32;
-constexpr int corners_a_strip = 6;
+constexpr int strips_per_side = 32;
+constexpr int vertices_per_strip = 6;
 constexpr float around_strip = 0.01F;  // block lengths: some pixels
 constexpr float over_next = 0.0005F;   // strips of unlike heights overlap, lest there be cracks
 constexpr int ground_texels = 1024;    // along a side
@@ -28,30 +29,30 @@ const gl::TextureLayout both_layout{GL_RG32F, GL_RG, GL_FLOAT, GL_LINEAR, 0, GL_
 
 /// A corner as block/side.vert.glsl takes it.
 struct StripCorner {
-    MeshPlace at;
-    MeshPlace normal;
+    MeshPosition at;
+    MeshPosition normal;
     float height;
 };
 
 /// Heights along a side of a lattice, from its western or southern end on.
 struct Border {
-    std::vector<float> places;  // 0 … 1
+    std::vector<float> positions;  // 0 … 1
     std::vector<float> heights;
 
     /// In between linear.
-    [[nodiscard]] float height_at(float place) const {
-        const auto after = std::ranges::upper_bound(places, place);
+    [[nodiscard]] float height_at(float position) const {
+        const auto after = std::ranges::upper_bound(positions, position);
         const auto next = std::clamp<std::ptrdiff_t>(
-            after - places.begin(), 1, static_cast<std::ptrdiff_t>(places.size()) - 1);
+            after - positions.begin(), 1, static_cast<std::ptrdiff_t>(positions.size()) - 1);
         const auto k = static_cast<std::size_t>(next);
-        const float share = (place - places[k - 1]) / (places[k] - places[k - 1]);
+        const float share = (position - positions[k - 1]) / (positions[k] - positions[k - 1]);
         return heights[k - 1] + share * (heights[k] - heights[k - 1]);
     }
     /// The highest between two places.
     [[nodiscard]] float highest(float from, float to) const {
         float result = std::max(height_at(from), height_at(to));
-        for (std::size_t k = 0; k < places.size(); ++k)
-            if (places[k] >= from && places[k] <= to) result = std::max(result, heights[k]);
+        for (std::size_t k = 0; k < positions.size(); ++k)
+            if (positions[k] >= from && positions[k] <= to) result = std::max(result, heights[k]);
         return result;
     }
     [[nodiscard]] float lowest() const { return *std::ranges::min_element(heights); }
@@ -71,8 +72,8 @@ Border border_of(const TerrainLattice& lattice, const std::vector<float>& height
     Border border;
     for (int k = 0; k < count; ++k) {
         const int at = runs_north(side) ? k * lattice.nx + across : across * lattice.nx + k;
-        const MeshPlace place = lattice.places[static_cast<std::size_t>(at)];
-        border.places.push_back(runs_north(side) ? place.north : place.east);
+        const MeshPosition position = lattice.positions[static_cast<std::size_t>(at)];
+        border.positions.push_back(runs_north(side) ? position.north : position.east);
         border.heights.push_back(heights[static_cast<std::size_t>(at)]);
     }
     return border;
@@ -82,17 +83,18 @@ void add_strips(const Border& border, int side, float base, float width,
                 std::vector<StripCorner>& corners) {
     const float across = at_far_end(side) ? 1.0F : 0.0F;
     const float outward = at_far_end(side) ? 1.0F : -1.0F;
-    const MeshPlace normal = runs_north(side) ? MeshPlace{outward, 0.0F} : MeshPlace{0.0F, outward};
+    const MeshPosition normal =
+        runs_north(side) ? MeshPosition{outward, 0.0F} : MeshPosition{0.0F, outward};
     const float low = std::min(base, border.lowest()) - around_strip;
-    for (int i = 0; i < strips_a_side; ++i) {
-        float from = static_cast<float>(i) / strips_a_side;
-        float to = static_cast<float>(i + 1) / strips_a_side;
+    for (int i = 0; i < strips_per_side; ++i) {
+        float from = static_cast<float>(i) / strips_per_side;
+        float to = static_cast<float>(i + 1) / strips_per_side;
         const float high = border.highest(from, to) + around_strip;
         from -= (i == 0 ? around_strip : over_next) / width;
-        to += (i == strips_a_side - 1 ? around_strip : over_next) / width;
+        to += (i == strips_per_side - 1 ? around_strip : over_next) / width;
         const auto corner = [&](float along, float height) {
-            const MeshPlace at =
-                runs_north(side) ? MeshPlace{across, along} : MeshPlace{along, across};
+            const MeshPosition at =
+                runs_north(side) ? MeshPosition{across, along} : MeshPosition{along, across};
             return StripCorner{at, normal, height};
         };
         const std::array<StripCorner, 4> of{corner(from, low), corner(to, low), corner(to, high),
@@ -101,29 +103,29 @@ void add_strips(const Border& border, int side, float base, float width,
     }
 }
 
-void corner_attribute(GLuint place, GLint count, std::size_t offset) {
-    gl::functions().VertexAttribPointer(place, count, GL_FLOAT, GL_FALSE, sizeof(StripCorner),
+void corner_attribute(GLuint position, GLint count, std::size_t offset) {
+    gl::functions().VertexAttribPointer(position, count, GL_FLOAT, GL_FALSE, sizeof(StripCorner),
                                         reinterpret_cast<const void*>(offset));
-    gl::functions().EnableVertexAttribArray(place);
+    gl::functions().EnableVertexAttribArray(position);
 }
 
 }  // namespace
 
-BlockShape TerrainLayer::shape(const Camera& camera) const {
-    BlockShape shape;
-    shape.surface = {{&lattice_.places.front().east, 2 * lattice_.places.size()}, surface_};
-    shape.sides = {side_places_, side_heights_};
+BlockMesh TerrainLayer::shape(const Camera& camera) const {
+    BlockMesh shape;
+    shape.surface = {{&lattice_.positions.front().east, 2 * lattice_.positions.size()}, surface_};
+    shape.sides = {side_positions_, side_heights_};
     shape.surface_triangles = mesh_.triangles;
     if (view_.look.block_sides) {
         for (std::size_t side = 0; side < shape.side_triangles.size(); ++side)
             shape.side_triangles[side] = faces_[rim + side].drawn;
     }
     shape.extent = {block_.width_x, block_.width_y};
-    shape.both_faces = !no_back_is_seen(camera);
+    shape.double_sided = !backs_are_hidden(camera);
     return shape;
 }
 
-bool TerrainLayer::lies_before(const Camera& camera) const {
+bool TerrainLayer::needs_no_clipping(const Camera& camera) const {
     const glm::dvec2 half = 0.5 * glm::dvec2(block_.width_x, block_.width_y) + around_box;
     double lowest = std::min(static_cast<double>(height_range_.x), block_.base);
     double highest = static_cast<double>(height_range_.y);
@@ -131,8 +133,8 @@ bool TerrainLayer::lies_before(const Camera& camera) const {
         lowest = std::min(lowest, static_cast<double>(height));
         highest = std::max(highest, static_cast<double>(height));
     }
-    return fumon::lies_before(camera, glm::dvec3(-half, lowest - around_box),
-                              glm::dvec3(half, highest + around_box));
+    return fumon::needs_no_clipping(camera, glm::dvec3(-half, lowest - around_box),
+                                    glm::dvec3(half, highest + around_box));
 }
 
 const TerrainLayer::Strips& TerrainLayer::strips() {
@@ -163,9 +165,9 @@ const TerrainLayer::Strips& TerrainLayer::strips() {
         add_strips(border, side, static_cast<float>(block_.base),
                    static_cast<float>(runs_north(side) ? block_.width_y : block_.width_x), corners);
         for (int i = 0; i < ground_texels; ++i) {
-            const float place = (static_cast<float>(i) + 0.5F) / ground_texels;
+            const float position = (static_cast<float>(i) + 0.5F) / ground_texels;
             const auto share = [&](const Border& of) {
-                return (of.height_at(place) - height_range_.x) /
+                return (of.height_at(position) - height_range_.x) /
                        (height_range_.y - height_range_.x);
             };
             ground.push_back(share(bed));
@@ -183,13 +185,13 @@ void TerrainLayer::shade_side(int side, const Light& light, const Camera& camera
     const Strips& of_sides = strips();
     const gl::Functions& gl = gl::functions();
     gl.Disable(GL_DEPTH_TEST);
-    place(of_sides.program, camera, tile);
+    set_transform(of_sides.program, camera, tile);
     set_sides(of_sides.program, light, camera);
     of_sides.ground.bind(side_ground_unit);
     of_sides.program.set("ground_map", side_ground_unit);
     of_sides.program.set("ground_row", (static_cast<float>(side) + 0.5F) / sides);
     gl.BindVertexArray(of_sides.array.name());
-    constexpr int corners = strips_a_side * corners_a_strip;
+    constexpr int corners = strips_per_side * vertices_per_strip;
     gl.DrawArrays(GL_TRIANGLES, side * corners, corners);
     gl.BindVertexArray(0);
 }

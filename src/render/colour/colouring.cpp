@@ -130,9 +130,10 @@ std::pair<double, double> colour_range(const LookSettings& look, const Snapshot&
     return {low, high};
 }
 
-DrawnColours drawn_colours(const LookSettings& look, const Snapshot& snapshot,
-                           const Field<float>& values, const DrawnColours& former, bool keeps) {
-    DrawnColours drawn = former;
+FrameColourRange frame_colour_range(const LookSettings& look, const Snapshot& snapshot,
+                                    const Field<float>& values, const FrameColourRange& former,
+                                    bool keeps) {
+    FrameColourRange drawn = former;
     if (!former.kept) {
         const auto [low, high] = colour_range(look, snapshot, values);
         drawn = {low, high};
@@ -155,16 +156,17 @@ Palette chosen_palette(const LookSettings& look) {
     return palette;
 }
 
-Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double, double> range) {
-    Field<std::uint16_t> places(values.nx(), values.ny());
+Field<std::uint16_t> palette_coordinates(const Field<float>& values,
+                                         std::pair<double, double> range) {
+    Field<std::uint16_t> positions(values.nx(), values.ny());
     const auto low = static_cast<float>(range.first);
     const float scale = 65535.0F / static_cast<float>(range.second - range.first);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const float place = (values.values()[i] - low) * scale;
-        places.values()[i] =
-            static_cast<std::uint16_t>(nearest(std::min(std::max(place, 0.0F), 65535.0F)));
+        const float position = (values.values()[i] - low) * scale;
+        positions.values()[i] =
+            static_cast<std::uint16_t>(nearest(std::min(std::max(position, 0.0F), 65535.0F)));
     }
-    return places;
+    return positions;
 }
 
 namespace {
@@ -172,22 +174,22 @@ namespace {
 /// The mean of each cell and its neighbours along both axes, with weights 1 : 2 : 1, so that
 /// outlines do not show the cells.
 Grid softened(const Grid& field, bool periodic) {
-    const auto place = [&](int cell, int count) {
+    const auto position = [&](int cell, int count) {
         if (cell >= 0 && cell < count) return cell;
         return periodic ? (cell + count) % count : std::clamp(cell, 0, count - 1);
     };
     Grid along(field.nx(), field.ny());
     for (int y = 0; y < field.ny(); ++y) {
         for (int x = 0; x < field.nx(); ++x) {
-            along(x, y) = 0.5 * field(x, y) + 0.25 * (field(place(x - 1, field.nx()), y) +
-                                                      field(place(x + 1, field.nx()), y));
+            along(x, y) = 0.5 * field(x, y) + 0.25 * (field(position(x - 1, field.nx()), y) +
+                                                      field(position(x + 1, field.nx()), y));
         }
     }
     Grid both(field.nx(), field.ny());
     for (int y = 0; y < field.ny(); ++y) {
         for (int x = 0; x < field.nx(); ++x) {
-            both(x, y) = 0.5 * along(x, y) + 0.25 * (along(x, place(y - 1, field.ny())) +
-                                                     along(x, place(y + 1, field.ny())));
+            both(x, y) = 0.5 * along(x, y) + 0.25 * (along(x, position(y - 1, field.ny())) +
+                                                     along(x, position(y + 1, field.ny())));
         }
     }
     return both;

@@ -43,7 +43,7 @@ bool ranges_by_values(const LookSettings& look);
 
 /// The colours of a picture: the values at the palette's ends, as colour_range() has them, and
 /// whether those of the picture alone would reach further.
-struct DrawnColours {
+struct FrameColourRange {
     double low = 0.0;
     double high = 1.0;
     bool values_below = false;
@@ -55,14 +55,16 @@ struct DrawnColours {
 /// The range of a snapshot, or `former` where that is kept. Where look.range is "frame", a picture
 /// has its own, without a word on values beyond. `keeps`: later pictures take the range of this
 /// one, if its values differ.
-DrawnColours drawn_colours(const LookSettings& look, const Snapshot& snapshot,
-                           const Field<float>& values, const DrawnColours& former, bool keeps);
+FrameColourRange frame_colour_range(const LookSettings& look, const Snapshot& snapshot,
+                                    const Field<float>& values, const FrameColourRange& former,
+                                    bool keeps);
 
 /// The look's palette, the way round that it wants. Throws as read_palette.
 Palette chosen_palette(const LookSettings& look);
 
 /// Values as places in the palette, 0 … 65535.
-Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double, double> range);
+Field<std::uint16_t> palette_coordinates(const Field<float>& values,
+                                         std::pair<double, double> range);
 
 /// The field of a snapshot that a marking shows, or nullptr where the model has none.
 const SnapshotField* marked_field(Marking mark, const Snapshot& snapshot);

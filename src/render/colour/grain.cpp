@@ -47,7 +47,7 @@ std::vector<std::uint8_t> grain_texels() {
     return texels;
 }
 
-std::vector<std::uint8_t> halved_texels(const std::vector<std::uint8_t>& texels, int size) {
+std::vector<std::uint8_t> downsampled_texels(const std::vector<std::uint8_t>& texels, int size) {
     const auto whole = static_cast<std::size_t>(size);
     const std::size_t half = whole / 2;
     const auto mean = [](unsigned a, unsigned b) { return (a + b + 1U) / 2U; };

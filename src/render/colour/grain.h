@@ -12,6 +12,6 @@ std::vector<std::uint8_t> grain_texels();
 
 /// A square of texels at half its size: each the mean of two columns and then of two rows, halves
 /// rounded up both times, which is what llvmpipe's mipmaps are. `size`, of the given one, is even.
-std::vector<std::uint8_t> halved_texels(const std::vector<std::uint8_t>& texels, int size);
+std::vector<std::uint8_t> downsampled_texels(const std::vector<std::uint8_t>& texels, int size);
 
 }  // namespace fumon

@@ -62,10 +62,10 @@ HWY_INLINE void mix_means(D d, const Heights& field, int y, const RowOfEdges& ed
     auto sum = zero;
     float weights = 0.0F;
 #pragma GCC unroll 1
-    for (int i = -places_aside; i <= places_aside; ++i) {
+    for (int i = -positions_aside; i <= positions_aside; ++i) {
         const auto away = hn::Set(d, step * static_cast<float>(i));
-        const auto within = [&](auto place, int count) HWY_ATTR {
-            return hn::Min(hn::Max(place, zero), hn::Set(d, static_cast<float>(count - 1)));
+        const auto within = [&](auto position, int count) HWY_ATTR {
+            return hn::Min(hn::Max(position, zero), hn::Set(d, static_cast<float>(count - 1)));
         };
         const auto u = within(cell_x + away * east, field.nx);
         const auto v = within(cell_y + away * north, field.ny);
@@ -82,7 +82,7 @@ HWY_INLINE void mix_means(D d, const Heights& field, int y, const RowOfEdges& ed
         };
         const auto low = between(first);
         const auto high = between(first + columns);
-        const auto weight = static_cast<float>(places_aside + 1 - std::abs(i));
+        const auto weight = static_cast<float>(positions_aside + 1 - std::abs(i));
         sum = sum + hn::Set(d, weight) * (low + upper * (high - low));
         weights += weight;
     }

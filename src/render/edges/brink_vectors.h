@@ -27,7 +27,7 @@ struct RowOfEdges {
 };
 
 /// Places looked at to either side of a cell.
-constexpr int places_aside = 4;
+constexpr int positions_aside = 4;
 
 /// Mixes into the heights of row `y`, as far as there are edges, the means along the edges about
 /// its cells, of places `step` cells apart, the farther the less.

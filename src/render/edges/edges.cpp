@@ -97,7 +97,7 @@ class EdgesOfRow {
 void smooth_along_edges(const Field<Edge>& edge, int refinement, float cells_aside,
                         Field<float>& fine, WorkerPool& pool) {
     const float step = cells_aside * static_cast<float>(refinement) /
-                       static_cast<float>(brink_vectors::places_aside);
+                       static_cast<float>(brink_vectors::positions_aside);
     const std::vector<std::uint64_t> pairs =
         brink_vectors::pairs_of(fine.data(), static_cast<int>(fine.size()));
     pool.for_ranges(fine.ny(), [&](int begin, int end) {

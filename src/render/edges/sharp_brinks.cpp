@@ -89,8 +89,8 @@ void turn_along(const Products& sum, Edge& edge) {
 /// A call for each cell at most so far from one, along both axes, or for every second one of these.
 template <class Field, class Call>
 void cells_around(const Field& field, int x, int y, int far, int apart, const Call& call) {
-    const auto first = [&](int place) {
-        int from = place - far;
+    const auto first = [&](int position) {
+        int from = position - far;
         while (from < 0) from += apart;
         return from;
     };

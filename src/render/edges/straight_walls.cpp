@@ -52,7 +52,7 @@ float steeper(const float* z, std::ptrdiff_t next, float cell) {
 Field<float> walls(const Field<float>& z, float dx, float dy) {
     const int nx = z.nx();
     const int ny = z.ny();
-    const auto within = [](int place, int count) { return (place % count + count) % count; };
+    const auto within = [](int position, int count) { return (position % count + count) % count; };
     constexpr int margin = apart + 1;
     const Field<float> wide = with_margin(z, margin);
     Field<float> reached(nx, ny);

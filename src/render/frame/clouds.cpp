@@ -11,7 +11,7 @@ namespace fumon {
 namespace {
 
 /// Where the wind at the clouds' height blows to.
-glm::dvec2 way_of_wind(const AirSettings& air) {
+glm::dvec2 wind_direction(const AirSettings& air) {
     const double from = air.cloud_wind * std::numbers::pi / 180.0;
     return {-elementary::sin(from), -elementary::cos(from)};
 }
@@ -34,7 +34,7 @@ float cloud_number(const View& view, const Light& light) {
 }
 
 glm::vec2 cloud_shift(const AirSettings& air, double share_of_run) {
-    return glm::vec2(way_of_wind(air) * (air.cloud_drift * share_of_run));
+    return glm::vec2(wind_direction(air) * (air.cloud_drift * share_of_run));
 }
 
 void set_clouds(const gl::Program& program, const View& view, const Light& light,
@@ -47,7 +47,7 @@ void set_clouds(const gl::Program& program, const View& view, const Light& light
     program.set("cloud_eye", glm::vec2(block.kilometres * glm::dvec2(camera.eye)));
     program.set("kilometres", static_cast<float>(block.kilometres));
     program.set("cloud_shift", light.cloud_shift);
-    program.set("cloud_wind", glm::vec2(way_of_wind(view.air)));
+    program.set("cloud_wind", glm::vec2(wind_direction(view.air)));
     program.set("cloud_seed", static_cast<int>(view.air.cloud_seed));
 }
 

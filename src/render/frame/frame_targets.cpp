@@ -9,7 +9,7 @@ namespace fumon {
 namespace {
 
 /// Of targets whose texels are looked up one by one.
-gl::TextureLayout nearest_layout(PixelKind kind) {
+gl::TextureLayout nearest_layout(PixelFormat kind) {
     gl::TextureLayout layout = colour_layout(kind);
     layout.filter = GL_NEAREST;
     return layout;
@@ -29,8 +29,8 @@ FrameTargets::FrameTargets(TargetNeeds needs) : needs_(std::move(needs)) {
     if (!needs_.pixel_colours) return;
     const Tile& largest = needs_.plan.tiles.front();
     pixel_stencils_.emplace(largest.width, largest.height);
-    pixel_colours_.emplace(largest.width, largest.height, nearest_layout(needs_.kind),
-                           &*pixel_stencils_);
+    pixel_programs_.emplace(largest.width, largest.height, nearest_layout(needs_.kind),
+                            &*pixel_stencils_);
 }
 
 const gl::RenderTarget& FrameTargets::visibility() {
@@ -45,12 +45,12 @@ const gl::RenderTarget& FrameTargets::visibility() {
 }
 
 const gl::RenderTarget& FrameTargets::sample_colours() {
-    if (!sample_colours_) {
+    if (!sample_programs_) {
         visibility();
-        sample_colours_.emplace(needs_.plan.target_width, needs_.plan.target_height,
-                                nearest_layout(needs_.kind), &*sample_depths_);
+        sample_programs_.emplace(needs_.plan.target_width, needs_.plan.target_height,
+                                 nearest_layout(needs_.kind), &*sample_depths_);
     }
-    return *sample_colours_;
+    return *sample_programs_;
 }
 
 const gl::RenderTarget& FrameTargets::background() {

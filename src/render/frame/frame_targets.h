@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "gl/texture.h"
-#include "render/colour/pixel_kind.h"
+#include "render/colour/pixel_format.h"
 #include "render/view/tiles.h"
 #include "scene/scene.h"
 
@@ -16,7 +16,7 @@ gl::TextureLayout visibility_layout(Ground ground, bool surface = false);
 /// What the targets of a renderer must hold.
 struct TargetNeeds {
     TilePlan plan;
-    PixelKind kind = PixelKind::display_8;
+    PixelFormat kind = PixelFormat::display_8;
     Ground ground = Ground::table;
     bool surface_heights = false;  ///< in visibility, see visibility_layout()
     bool pixel_colours = false;    ///< endless ground is shaded by pixels where these can be
@@ -35,9 +35,9 @@ class FrameTargets {
     const gl::RenderTarget& sample_colours();
     /// A colour a pixel of endless ground, with stencils that background() shares: how the pixel
     /// is shaded.
-    [[nodiscard]] const gl::RenderTarget& pixel_colours() const { return *pixel_colours_; }
+    [[nodiscard]] const gl::RenderTarget& pixel_colours() const { return *pixel_programs_; }
     [[nodiscard]] const gl::DepthBuffer& pixel_stencils() const { return *pixel_stencils_; }
-    [[nodiscard]] bool has_pixel_colours() const { return pixel_colours_.has_value(); }
+    [[nodiscard]] bool has_pixel_colours() const { return pixel_programs_.has_value(); }
     /// A colour a pixel: what surrounds the ground; sides of a block are drawn there after it has
     /// been read.
     const gl::RenderTarget& background();
@@ -46,9 +46,9 @@ class FrameTargets {
     TargetNeeds needs_;
     std::optional<gl::DepthBuffer> sample_depths_;
     std::optional<gl::RenderTarget> visibility_;
-    std::optional<gl::RenderTarget> sample_colours_;
+    std::optional<gl::RenderTarget> sample_programs_;
     std::optional<gl::DepthBuffer> pixel_stencils_;
-    std::optional<gl::RenderTarget> pixel_colours_;
+    std::optional<gl::RenderTarget> pixel_programs_;
     std::optional<gl::RenderTarget> background_;
 };
 

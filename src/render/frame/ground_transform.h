@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-#include "render/view/far_copies.h"
+#include "render/view/tile_warp.h"
 
 namespace fumon {
 
@@ -12,7 +12,7 @@ struct GroundTransform {
     bool endless = false;    ///< repeated to the horizon, drawn by offsets from the eye
     float curvature = 0.0F;  ///< see WorldLayer::curvature()
     glm::dvec2 origin{0.0};  ///< where the drawn bed begins, see DrawnOrigin
-    FarCopies copies{};
+    TileWarp copies{};
     glm::dvec2 eye_from_middle{0.0};  ///< see WorldLayer
 };
 

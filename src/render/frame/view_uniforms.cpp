@@ -11,7 +11,7 @@
 #include "render/light/exposure_meter.h"
 #include "render/light/haze.h"
 #include "render/light/view_light.h"
-#include "render/view/far_copies.h"
+#include "render/view/tile_warp.h"
 
 namespace fumon {
 
@@ -94,19 +94,19 @@ float sample_share(const View& view) {
     return 1.0F / static_cast<float>(view.image.supersampling);
 }
 
-gl::TextureLayout colour_layout(PixelKind kind) {
+gl::TextureLayout colour_layout(PixelFormat kind) {
     gl::TextureLayout layout;
-    if (kind == PixelKind::display_16)
+    if (kind == PixelFormat::display_16)
         layout = {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
-    if (kind == PixelKind::radiance)
+    if (kind == PixelFormat::radiance)
         layout = {GL_RGBA16F, GL_RGBA, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
     return layout;
 }
 
 gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block,
-                             PixelKind kind) {
+                             PixelFormat kind) {
     constexpr float no_curve = 3.0F;  // of common/colour.glsl
-    const bool linear = kind == PixelKind::radiance;
+    const bool linear = kind == PixelFormat::radiance;
     const Tone tone = chosen_tone(view.look, light);
     const bool scenic = view.look.mode == ViewMode::scenic;
     gl::Constants constants{
@@ -115,7 +115,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
         {"sample_share", sample_share(view)},
         {"samples_along",
          view.camera.has_lens() ? 1.0F : static_cast<float>(view.image.supersampling)},
-        {"dithered", switched(kind == PixelKind::display_8)},
+        {"dithered", switched(kind == PixelFormat::display_8)},
         {"punch", switched(tone == Tone::agx_punchy)},
         {"atmosphere", switched(light.atmosphere)},
         {"parallel", switched(view.camera.projection != Projection::perspective)},
@@ -126,7 +126,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
         {"clear", switched(view.look.relief == FigureRelief::clear)},
         {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
         {"plain", switched(block.tiles.plain)},
-        {"varied", switched(far_copies_vary(view, !block.tiles.plain))},
+        {"varied", switched(tiles_are_warped(view, !block.tiles.plain))},
         {"clouds", cloud_number(view, light)},
         {"rock", static_cast<float>(block.rock)},
         {"streamers", switched(view.streamers.strength > 0.0)}};
@@ -154,7 +154,7 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
     program.set("contrast", static_cast<float>(rendering.contrast));
     program.set("to_sun", light.to_sun);
     program.set("sun_light", light.sun);
-    program.set("sun_seen", light.sun_seen);
+    program.set("visible_sun", light.visible_sun);
     program.set("bloom", light.stars ? bloom_of_moon : bloom_of_sun);
     program.set("sky_light", light.sky);
     program.set("in_air", light.in_air);

@@ -2,7 +2,7 @@
 
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "render/colour/pixel_kind.h"
+#include "render/colour/pixel_format.h"
 #include "render/light/light.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
@@ -16,14 +16,14 @@ inline constexpr int sky_unit = 15;
 /// What never changes while a view is drawn, of the uniforms of common/light.glsl,
 /// common/colour.glsl, bed/bed.glsl, bed/ground.glsl and block/side.frag.glsl.
 gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block,
-                             PixelKind kind = PixelKind::display_8);
+                             PixelFormat kind = PixelFormat::display_8);
 
 /// Of a sample's extent, that over which textures are averaged: a lens has one sample a pixel for
 /// each of its points, elsewhere within it, and takes textures as the finer samples of a pinhole.
 float sample_share(const View& view);
 
 /// How colours of that kind are stored.
-gl::TextureLayout colour_layout(PixelKind kind);
+gl::TextureLayout colour_layout(PixelFormat kind);
 
 /// Light::metered of pictures that are exposed by what a camera sees of a desert's sky.
 double metered_exposure(const View& view, const Light& light, const Camera& camera);

@@ -15,24 +15,24 @@
 #include "base/whole_number.h"
 #include "base/worker_pool.h"
 #include "render/ground/ground_vectors.h"
-#include "render/ground/wall_places.h"
+#include "render/ground/wall_vertices.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr int rings = 1000;
-constexpr int most_places = 12;  // looked at around a ring
+constexpr int ring_count = 1000;
+constexpr int max_samples_per_ring = 12;  // looked at around a ring
 // Between two of these at least: of a texel, and of the distance between rays.
-constexpr double least_texels = 0.5;
-constexpr double least_spacing = 0.6;
-constexpr double texels_a_ray = 0.2;  // a texel at most, of the distance between rays
+constexpr double min_spacing_texels = 0.5;
+constexpr double min_spacing_rays = 0.6;
+constexpr double texels_per_ray_spacing = 0.2;  // a texel at most, of the distance between rays
 
 /// The places around a ring, and the level of the bed's means that they are looked up in.
 struct Ring {
     int level = 0;
     std::size_t count = 0;
-    std::array<double, most_places> radii{};
+    std::array<double, max_samples_per_ring> radii{};
 
     /// The place that stands for a ring of which no more needs to be known.
     [[nodiscard]] std::size_t middle() const { return count / 2; }
@@ -54,33 +54,34 @@ double radius_of(const GroundFan& fan, double u) {
 std::vector<Ring> rings_of(const GroundFan& fan, int levels) {
     const double between_rays = 2.0 * fan.half_angle / (fan.rays - 1);
     std::vector<Ring> all(1, ring_of(0, 1e-3 * fan.nearest, 1e-3 * fan.nearest, 1));
-    constexpr double step = 1.0 / (rings - 2);
-    for (int ring = 1; ring < rings; ++ring) {
+    constexpr double step = 1.0 / (ring_count - 2);
+    for (int ring = 1; ring < ring_count; ++ring) {
         const double u = (ring - 1) * step;
         const double radius = radius_of(fan, u);
         const double from = ring == 1 ? radius : radius_of(fan, u - 0.5 * step);
         const double to = radius_of(fan, u + 0.5 * step);
-        const double fineness = std::max(texels_a_ray * radius * between_rays / fan.cell, 1.0);
+        const double fineness =
+            std::max(texels_per_ray_spacing * radius * between_rays / fan.cell, 1.0);
         const int level = std::clamp(std::ilogb(fineness), 0, levels - 1);
         const double texel = std::ldexp(fan.cell, level);
         const double spacing =
-            std::max(least_texels * texel, least_spacing * radius * between_rays);
-        const int count = whole_within(std::ceil((to - from) / spacing), 1, most_places);
+            std::max(min_spacing_texels * texel, min_spacing_rays * radius * between_rays);
+        const int count = whole_within(std::ceil((to - from) / spacing), 1, max_samples_per_ring);
         all.push_back(ring_of(level, from, to, count));
     }
     return all;
 }
 
 /// Numbers at the rings' inner edges and at the last one's outer one.
-using AtEdges = std::array<double, (rings / ground_vectors::places_at_once + 1) *
-                                       std::size_t{ground_vectors::places_at_once}>;
-static_assert(std::tuple_size_v<AtEdges> > rings);
+using RingEdges = std::array<double, (ring_count / ground_vectors::samples_per_batch + 1) *
+                                         std::size_t{ground_vectors::samples_per_batch}>;
+static_assert(std::tuple_size_v<RingEdges> > ring_count);
 
-AtEdges edges_of(const GroundFan& fan) {
-    constexpr double step = 1.0 / (rings - 2);
-    AtEdges edges{};
+RingEdges ring_edges(const GroundFan& fan) {
+    constexpr double step = 1.0 / (ring_count - 2);
+    RingEdges edges{};
     for (std::size_t ring = 1; ring < edges.size(); ++ring) {
-        const int whole = std::min(static_cast<int>(ring), rings) - 1;
+        const int whole = std::min(static_cast<int>(ring), ring_count) - 1;
         edges[ring] = radius_of(fan, std::max((whole - 0.5) * step, 0.0));
     }
     return edges;
@@ -97,22 +98,22 @@ struct Ray {
 };
 
 /// How the bed's copies stand along a ray: between the edges of a ring by straight lines.
-class CopiesAlong {
+class WarpAlongRay {
   public:
-    CopiesAlong(const GroundFan& fan, const AtEdges& edges, const glm::dvec2& per_length)
+    WarpAlongRay(const GroundFan& fan, const RingEdges& edges, const glm::dvec2& per_length)
         : edges_(edges), varied_(fan.strength > 0.0) {
         if (!varied_) return;
-        ground_vectors::copies_along({fan.eye_from_middle.x, fan.eye_from_middle.y, per_length.x,
-                                      per_length.y, fan.strength},
-                                     edges.data(), static_cast<int>(edges.size()), east_.data(),
-                                     north_.data(), height_.data());
+        ground_vectors::warp_along_ray({fan.eye_from_middle.x, fan.eye_from_middle.y, per_length.x,
+                                        per_length.y, fan.strength},
+                                       edges.data(), static_cast<int>(edges.size()), east_.data(),
+                                       north_.data(), height_.data());
     }
 
     /// A ray over the bed as it is over the copies that a ring crosses.
     [[nodiscard]] Ray at(std::size_t ring, Ray ray) const {
         if (!varied_) return ray;
         const double width = edges_[ring + 1] - edges_[ring];
-        const auto add = [&](const AtEdges& numbers, double& at_eye, double& per_length) {
+        const auto add = [&](const RingEdges& numbers, double& at_eye, double& per_length) {
             const double change = (numbers[ring + 1] - numbers[ring]) / width;
             at_eye += numbers[ring] - change * edges_[ring];
             per_length += change;
@@ -126,17 +127,17 @@ class CopiesAlong {
     [[nodiscard]] bool varied() const { return varied_; }
 
   private:
-    const AtEdges& edges_;
+    const RingEdges& edges_;
     bool varied_;
-    AtEdges east_{};
-    AtEdges north_{};
-    AtEdges height_{};
+    RingEdges east_{};
+    RingEdges north_{};
+    RingEdges height_{};
 };
 
-constexpr std::size_t rings_at_once = 32;  // of one level, whose places are looked at together
+constexpr std::size_t rings_per_batch = 32;  // of one level, whose places are looked at together
 
 /// Places of some rings along a ray.
-class PlacesAlong {
+class RayBatch {
   public:
     void clear() { count_ = 0; }
     /// Those of a ring from the one of that number up to another; returns where they begin.
@@ -151,22 +152,22 @@ class PlacesAlong {
         }
         return first;
     }
-    void look(const ground_vectors::Heights& bed, const ground_vectors::Eye& eye, bool varied) {
-        ground_vectors::look_at(
+    void evaluate(const ground_vectors::Heights& bed, const ground_vectors::Eye& eye, bool varied) {
+        ground_vectors::evaluate(
             bed, eye,
             {radii_.data(), east_.data(), north_.data(), varied ? raised_.data() : nullptr},
             static_cast<int>(count_), over_.data(), tangents_.data());
     }
-    [[nodiscard]] double radius(std::size_t place) const { return radii_[place]; }
-    [[nodiscard]] double over(std::size_t place) const { return over_[place]; }
-    [[nodiscard]] double tangent(std::size_t place) const { return tangents_[place]; }
-    [[nodiscard]] RayPlace at(std::size_t place) const {
-        return {radii_[place], over_[place], tangents_[place]};
+    [[nodiscard]] double radius(std::size_t position) const { return radii_[position]; }
+    [[nodiscard]] double over(std::size_t position) const { return over_[position]; }
+    [[nodiscard]] double tangent(std::size_t position) const { return tangents_[position]; }
+    [[nodiscard]] RaySample at(std::size_t position) const {
+        return {radii_[position], over_[position], tangents_[position]};
     }
 
   private:
-    using Numbers =
-        std::array<double, rings_at_once * most_places + ground_vectors::places_at_once>;
+    using Numbers = std::array<double, rings_per_batch * max_samples_per_ring +
+                                           ground_vectors::samples_per_batch>;
     std::size_t count_ = 0;
     Numbers radii_{};
     Numbers east_{};
@@ -180,9 +181,9 @@ class PlacesAlong {
 using Tangents = std::vector<float>;
 
 /// Returns the direction of the highest. `along_ray` is room for it.
-glm::vec3 place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector<Ring>& all,
-                    const AtEdges& edges, int ray, PlacesAlong& along_ray, WallPlaces& walls,
-                    glm::vec3* places, float* tangents) {
+glm::vec3 sample_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector<Ring>& all,
+                     const RingEdges& edges, int ray, RayBatch& along_ray, WallVertices& walls,
+                     glm::vec3* positions, float* tangents) {
     const double angle = fan.half_angle * (2.0 * ray / (fan.rays - 1) - 1.0);
     const double c = elementary::cos(angle);
     const double s = elementary::sin(angle);
@@ -191,37 +192,38 @@ glm::vec3 place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::v
     const glm::dvec2 per_length = along / fan.extent;
     const glm::dvec2 origin = glm::dvec2(fan.eye) / fan.extent + 0.5;
     const Ray over_bed{origin.x, origin.y, per_length.x, per_length.y};
-    const CopiesAlong copies(fan, edges, per_length);
+    const WarpAlongRay copies(fan, edges, per_length);
     const double most_over = bed.highest() - fan.eye.z;
-    double highest_before = -1e30;
+    double horizon_tangent = -1e30;
     // Ground that cannot rise over what stands before it needs no care.
-    const auto is_hidden = [&](const Ring& ring) {
-        return most_over / ring.last() < highest_before;
+    const auto is_occluded = [&](const Ring& ring) {
+        return most_over / ring.last() < horizon_tangent;
     };
-    struct Looked {
+    struct BatchedRing {
         std::size_t first;
         bool in_middle;  ///< alone
     };
-    std::array<Looked, rings_at_once> looked{};
+    std::array<BatchedRing, rings_per_batch> batched{};
     walls.begin_ray();
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
         const int level = all[begin].level;
         along_ray.clear();
-        for (; end < std::min(begin + rings_at_once, all.size()) && all[end].level == level;
+        for (; end < std::min(begin + rings_per_batch, all.size()) && all[end].level == level;
              ++end) {
             const Ring& ring = all[end];
-            const bool hidden = is_hidden(ring);
+            const bool hidden = is_occluded(ring);
             const std::size_t from = hidden ? ring.middle() : 0;
             const std::size_t to = hidden ? from + 1 : ring.count;
-            looked[end - begin] = {along_ray.add(ring, from, to, copies.at(end, over_bed)), hidden};
+            batched[end - begin] = {along_ray.add(ring, from, to, copies.at(end, over_bed)),
+                                    hidden};
         }
         const Field<float>& means = bed.level(level);
-        along_ray.look({means.data(), means.nx(), means.ny(), bed.tiles()},
-                       {fan.eye.z, fan.curvature, fan.mean}, copies.varied());
+        along_ray.evaluate({means.data(), means.nx(), means.ny(), bed.tiles()},
+                           {fan.eye.z, fan.curvature, fan.mean}, copies.varied());
         for (std::size_t ring = begin; ring < end; ++ring) {
-            const Looked& at = looked[ring - begin];
+            const BatchedRing& at = batched[ring - begin];
             std::size_t highest = at.first;
-            if (!at.in_middle && is_hidden(all[ring])) {
+            if (!at.in_middle && is_occluded(all[ring])) {
                 highest += all[ring].middle();
             } else if (!at.in_middle) {
                 double best = along_ray.tangent(highest);
@@ -233,23 +235,23 @@ glm::vec3 place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::v
                 }
             }
             const double tangent = along_ray.tangent(highest);
-            highest_before = std::max(highest_before, tangent);
-            places[ring] =
+            horizon_tangent = std::max(horizon_tangent, tangent);
+            positions[ring] =
                 glm::vec3(glm::dvec3(along_ray.radius(highest) * along, along_ray.over(highest)));
             tangents[ring] = static_cast<float>(tangent);
             if (fan.wall_slope == 0.0) continue;
-            std::array<RayPlace, most_places> in_ring{};
+            std::array<RaySample, max_samples_per_ring> in_ring{};
             const std::size_t count = at.in_middle ? 1 : all[ring].count;
             for (std::size_t k = 0; k < count; ++k) in_ring[k] = along_ray.at(at.first + k);
             walls.take(std::span(in_ring).first(count), highest - at.first);
         }
     }
     for (std::size_t ring = 0; ring < walls.chosen().size(); ++ring) {
-        const RayPlace& chosen = walls.chosen()[ring];
-        places[ring] = glm::vec3(glm::dvec3(chosen.radius * along, chosen.over));
+        const RaySample& chosen = walls.chosen()[ring];
+        positions[ring] = glm::vec3(glm::dvec3(chosen.radius * along, chosen.over));
         tangents[ring] = static_cast<float>(chosen.tangent);
     }
-    return {glm::dvec3(along, highest_before)};
+    return {glm::dvec3(along, horizon_tangent)};
 }
 
 /// Rings between two of them.
@@ -261,12 +263,12 @@ struct RingRange {
 /// Two triangles between two neighbouring rays and rings. `over_walls`: they meet where their
 /// corners differ the less in height, so that a wall's rim runs on from one ring to the next.
 void add_quad(std::size_t ray, std::size_t ring, bool over_walls, GroundMesh& mesh) {
-    const auto a0 = static_cast<std::uint32_t>(ray * rings + ring);
+    const auto a0 = static_cast<std::uint32_t>(ray * ring_count + ring);
     const std::uint32_t a1 = a0 + 1;
-    const std::uint32_t b0 = a0 + rings;
+    const std::uint32_t b0 = a0 + ring_count;
     const std::uint32_t b1 = b0 + 1;
     const auto apart = [&](std::uint32_t one, std::uint32_t other) {
-        return std::abs(mesh.places[one].z - mesh.places[other].z);
+        return std::abs(mesh.positions[one].z - mesh.positions[other].z);
     };
     if (over_walls && apart(a0, b1) < apart(b0, a1)) {
         mesh.triangles.insert(mesh.triangles.end(), {a0, b0, b1, a0, b1, a1});
@@ -278,57 +280,57 @@ void add_quad(std::size_t ray, std::size_t ring, bool over_walls, GroundMesh& me
 /// Between two neighbouring rays, those that begin in a range of rings. At any azimuth between them
 /// the ground looks at least as high as the lower of both at the same ring. `hiding`: how high what
 /// stands before looks, between these two rays.
-void add_visible(int ray, const RingRange& among, bool over_walls, const Tangents& tangents,
-                 float& hiding, GroundMesh& mesh) {
-    const auto a = static_cast<std::size_t>(ray) * rings;
-    const std::size_t b = a + rings;
+void add_visible_quads(int ray, const RingRange& among, bool over_walls, const Tangents& tangents,
+                       float& horizon, GroundMesh& mesh) {
+    const auto a = static_cast<std::size_t>(ray) * ring_count;
+    const std::size_t b = a + ring_count;
     for (auto ring = static_cast<std::size_t>(among.first);
          ring < static_cast<std::size_t>(among.last); ++ring) {
         const float here = std::max(tangents[a + ring], tangents[b + ring]);
         const float next = std::max(tangents[a + ring + 1], tangents[b + ring + 1]);
-        hiding = std::max(hiding, std::min(tangents[a + ring], tangents[b + ring]));
-        if (std::max(here, next) >= hiding)
+        horizon = std::max(horizon, std::min(tangents[a + ring], tangents[b + ring]));
+        if (std::max(here, next) >= horizon)
             add_quad(static_cast<std::size_t>(ray), ring, over_walls, mesh);
     }
 }
 
 /// Which of the ground between two neighbouring rays and rings a lens may see, ray by ray. From
 /// a point of it what stands at a distance r is seen lower by up to lens / r, and aside by as much.
-std::vector<bool> seen_through_lens(const GroundFan& fan, const GroundMesh& mesh,
-                                    const Tangents& tangents) {
+std::vector<bool> visible_through_lens(const GroundFan& fan, const GroundMesh& mesh,
+                                       const Tangents& tangents) {
     const auto pairs = static_cast<std::size_t>(fan.rays - 1);
     const double between_rays = 2.0 * fan.half_angle / (fan.rays - 1);
-    std::vector<bool> seen(pairs * (rings - 1));
+    std::vector<bool> visible(pairs * (ring_count - 1));
     const auto from_above = [&](std::size_t ray, std::size_t ring) {
-        const std::size_t at = ray * rings + ring;
-        const glm::vec3& place = mesh.places[at];
-        const double range = elementary::hypot(place.x, place.y);
+        const std::size_t at = ray * ring_count + ring;
+        const glm::vec3& position = mesh.positions[at];
+        const double range = elementary::hypot(position.x, position.y);
         return tangents[at] - static_cast<float>(fan.lens / range);
     };
     std::vector<float> here(pairs + 1);
     std::vector<float> next(pairs + 1);
     std::vector<float> lower(pairs);
-    std::vector<float> hiding(pairs, -1e30F);
+    std::vector<float> horizon(pairs, -1e30F);
     for (std::size_t ray = 0; ray <= pairs; ++ray) next[ray] = from_above(ray, 0);
-    for (std::size_t ring = 0; ring + 1 < rings; ++ring) {
+    for (std::size_t ring = 0; ring + 1 < ring_count; ++ring) {
         std::swap(here, next);
         for (std::size_t ray = 0; ray <= pairs; ++ray) next[ray] = from_above(ray, ring + 1);
         for (std::size_t k = 0; k < pairs; ++k) lower[k] = std::min(here[k], here[k + 1]);
-        const glm::vec3& place = mesh.places[ring];
-        const double range = elementary::hypot(place.x, place.y);
+        const glm::vec3& position = mesh.positions[ring];
+        const double range = elementary::hypot(position.x, position.y);
         const double aside = std::ceil(fan.lens / (range * between_rays));
         const auto reach = whole_within(aside, std::size_t{0}, pairs);
         for (std::size_t k = 0; k < pairs; ++k) {
             const auto first = lower.begin() + static_cast<std::ptrdiff_t>(k - std::min(k, reach));
             const auto last =
                 lower.begin() + static_cast<std::ptrdiff_t>(std::min(k + reach + 1, pairs));
-            hiding[k] = std::max(hiding[k], *std::min_element(first, last));
+            horizon[k] = std::max(horizon[k], *std::min_element(first, last));
             const float highest =
                 std::max(std::max(here[k], here[k + 1]), std::max(next[k], next[k + 1]));
-            seen[k * (rings - 1) + ring] = highest >= hiding[k];
+            visible[k * (ring_count - 1) + ring] = highest >= horizon[k];
         }
     }
-    return seen;
+    return visible;
 }
 
 /// That there are rings and rays, from an eye that stands somewhere.
@@ -348,45 +350,47 @@ void check(const GroundFan& fan, const HeightPyramid& bed) {
 GroundMesh ground_mesh(const GroundFan& fan, const HeightPyramid& bed, WorkerPool& pool) {
     check(fan, bed);
     const std::vector<Ring> all = rings_of(fan, bed.levels());
-    const AtEdges edges = edges_of(fan);
+    const RingEdges edges = ring_edges(fan);
     GroundMesh mesh;
-    mesh.places.resize(static_cast<std::size_t>(fan.rays) * rings);
+    mesh.positions.resize(static_cast<std::size_t>(fan.rays) * ring_count);
     mesh.skyline.resize(static_cast<std::size_t>(fan.rays));
-    Tangents tangents(mesh.places.size());
+    Tangents tangents(mesh.positions.size());
     pool.for_ranges(fan.rays, [&](int begin, int end) {
-        PlacesAlong along_ray;
-        WallPlaces walls(fan.wall_slope);
+        RayBatch along_ray;
+        WallVertices walls(fan.wall_slope);
         for (int ray = begin; ray < end; ++ray) {
-            const std::size_t first = static_cast<std::size_t>(ray) * rings;
+            const std::size_t first = static_cast<std::size_t>(ray) * ring_count;
             mesh.skyline[static_cast<std::size_t>(ray)] =
-                place_ray(fan, bed, all, edges, ray, along_ray, walls, mesh.places.data() + first,
-                          tangents.data() + first);
+                sample_ray(fan, bed, all, edges, ray, along_ray, walls,
+                           mesh.positions.data() + first, tangents.data() + first);
         }
     });
     int first_far = 0;
-    while (first_far < rings && all[static_cast<std::size_t>(first_far)].radii[0] < fan.near_to)
+    while (first_far < ring_count &&
+           all[static_cast<std::size_t>(first_far)].radii[0] < fan.near_limit)
         ++first_far;
-    first_far = std::min(first_far, rings - 1);
-    std::vector<float> hiding(static_cast<std::size_t>(fan.rays), -1e30F);
-    std::vector<bool> seen;
-    if (fan.lens > 0.0) seen = seen_through_lens(fan, mesh, tangents);
+    first_far = std::min(first_far, ring_count - 1);
+    std::vector<float> horizon(static_cast<std::size_t>(fan.rays), -1e30F);
+    std::vector<bool> visible;
+    if (fan.lens > 0.0) visible = visible_through_lens(fan, mesh, tangents);
     const bool over_walls = fan.wall_slope > 0.0;
     const auto add_all = [&](const RingRange& among) {
         for (int ray = 0; ray + 1 < fan.rays; ++ray) {
             const auto number = static_cast<std::size_t>(ray);
-            if (seen.empty()) {
-                add_visible(ray, among, over_walls, tangents, hiding[number], mesh);
+            if (visible.empty()) {
+                add_visible_quads(ray, among, over_walls, tangents, horizon[number], mesh);
                 continue;
             }
             for (auto ring = static_cast<std::size_t>(among.first);
                  ring < static_cast<std::size_t>(among.last); ++ring) {
-                if (seen[number * (rings - 1) + ring]) add_quad(number, ring, over_walls, mesh);
+                if (visible[number * (ring_count - 1) + ring])
+                    add_quad(number, ring, over_walls, mesh);
             }
         }
     };
     add_all({0, first_far});
     mesh.near_indices = mesh.triangles.size();
-    add_all({first_far, rings - 1});
+    add_all({first_far, ring_count - 1});
     return mesh;
 }
 

@@ -22,26 +22,26 @@ struct Eye {
 };
 
 /// Places over it: numbers of each.
-struct Places {
+struct RaySamples {
     const double* radii;  ///< from the eye
     const double* east;   ///< periods of the bed, or its tiles: 0 and 1 are its two ends
     const double* north;
-    /// How high the ground stands, of the bed's height from its mean; see FarCopies. nullptr: as
+    /// How high the ground stands, of the bed's height from its mean; see TileWarp. nullptr: as
     /// on the bed.
     const double* raised;
 };
 
 /// Places are looked at so many at once at most: as many numbers are read, and heights and tangents
 /// written, as the next multiple of it has.
-constexpr int places_at_once = 16;
+constexpr int samples_per_batch = 16;
 
 /// How far the ground lies over the eye at `count` places, and the tangents of the elevations at
 /// which that is seen: as HeightPyramid::at() for each.
-void look_at(const Heights& bed, const Eye& eye, const Places& places, int count, double* over,
-             double* tangents);
+void evaluate(const Heights& bed, const Eye& eye, const RaySamples& positions, int count,
+              double* over, double* tangents);
 
-/// Places along a ray, from the middle of what FarCopies leave as it is; periods.
-struct CopiedRay {
+/// Places along a ray, from the middle of what TileWarp leave as it is; periods.
+struct WarpedRay {
     double east;  ///< under the eye
     double north;
     double east_per_length;
@@ -50,8 +50,8 @@ struct CopiedRay {
 };
 
 /// How far aside of them ground is taken from, periods, and how high it stands, at `count` radii, a
-/// multiple of places_at_once.
-void copies_along(const CopiedRay& ray, const double* radii, int count, double* east, double* north,
-                  double* height);
+/// multiple of samples_per_batch.
+void warp_along_ray(const WarpedRay& ray, const double* radii, int count, double* east,
+                    double* north, double* height);
 
 }  // namespace fumon::ground_vectors

@@ -31,7 +31,7 @@ std::vector<Cover> covers(int fine, int coarse) {
     return all;
 }
 
-Field<float> halved(const Field<float>& fine) {
+Field<float> downsampled(const Field<float>& fine) {
     Field<float> coarse(std::max(fine.nx() / 2, 1), std::max(fine.ny() / 2, 1));
     const std::vector<Cover> along = covers(fine.nx(), coarse.nx());
     const std::vector<Cover> across = covers(fine.ny(), coarse.ny());
@@ -60,7 +60,7 @@ HeightPyramid::HeightPyramid(Field<float> heights, const GroundTiles& tiles, boo
     : tiles_(tiles), highest_(*std::ranges::max_element(heights.values())), walls_(walls) {
     levels_.push_back(std::move(heights));
     while (levels_.back().nx() > 1 || levels_.back().ny() > 1)
-        levels_.push_back(halved(levels_.back()));
+        levels_.push_back(downsampled(levels_.back()));
 }
 
 }  // namespace fumon

@@ -28,9 +28,9 @@ class HeightPyramid {
     /// two ends of the bed, or of its tile.
     [[nodiscard]] float at(int level, double east, double north) const {
         const Field<float>& field = levels_[static_cast<std::size_t>(level)];
-        const glm::dvec2 place = tiles_.in_maps({east, north});
-        const Between x = between(place.x, field.nx());
-        const Between y = between(place.y, field.ny());
+        const glm::dvec2 position = tiles_.in_maps({east, north});
+        const LinearTaps x = linear_taps(position.x, field.nx());
+        const LinearTaps y = linear_taps(position.y, field.ny());
         const float* below = field.row(y.first).data();
         const float* above = field.row(y.second).data();
         const float south = below[x.first] + x.share * (below[x.second] - below[x.first]);
@@ -41,17 +41,17 @@ class HeightPyramid {
     [[nodiscard]] bool has_walls() const { return walls_; }
 
   private:
-    struct Between {
+    struct LinearTaps {
         int first;
         int second;
         float share;  ///< of the second
     };
-    static Between between(double periods, int count) {
+    static LinearTaps linear_taps(double periods, int count) {
         const double whole = static_cast<double>(whole_of(periods));
-        double place = (periods - whole) * count - 0.5;
-        if (place < 0.0) place += count;
-        const int first = whole_within(place, 0, count - 1);
-        return {first, first + 1 == count ? 0 : first + 1, static_cast<float>(place - first)};
+        double position = (periods - whole) * count - 0.5;
+        if (position < 0.0) position += count;
+        const int first = whole_within(position, 0, count - 1);
+        return {first, first + 1 == count ? 0 : first + 1, static_cast<float>(position - first)};
     }
 
     GroundTiles tiles_;

@@ -5,7 +5,7 @@
 
 namespace fumon {
 
-int rows_of_ground(const std::vector<glm::vec3>& skyline, const Camera& camera, int rows) {
+int rows_below_skyline(const std::vector<glm::vec3>& skyline, const Camera& camera, int rows) {
     if (!camera.perspective) return rows;
     constexpr int spare = 2;  // corners of the mesh are rounded, and samples look at neighbours
     const glm::dvec3 up = camera.up / camera.half.y;

@@ -19,19 +19,19 @@ constexpr float always = std::numeric_limits<float>::infinity();
 
 /// The vertices along one axis: where they stand, 0 … 1, and which cell gives the height.
 struct Axis {
-    std::vector<float> places;
+    std::vector<float> positions;
     std::vector<int> cells;
 };
 
 Axis make_axis(int count, int stride) {
     Axis axis;
-    axis.places.push_back(0.0F);
+    axis.positions.push_back(0.0F);
     axis.cells.push_back(0);
     for (int cell = stride / 2; cell < count; cell += stride) {
-        axis.places.push_back((static_cast<float>(cell) + 0.5F) / static_cast<float>(count));
+        axis.positions.push_back((static_cast<float>(cell) + 0.5F) / static_cast<float>(count));
         axis.cells.push_back(cell);
     }
-    axis.places.push_back(1.0F);
+    axis.positions.push_back(1.0F);
     axis.cells.push_back(count - 1);
     return axis;
 }
@@ -69,7 +69,7 @@ constexpr std::array<QuadSide, 4> quad_sides = {{{0, -1, {0, 0}, {1, 0}},
 /// Which way the domain ends at a cell: away from the middle of the cells around that have data, so
 /// that the steps of a rim of square cells are shaded as one face. Keeps `flat` at straight
 /// borders.
-MeshPlace rim_direction(const Mask& nodata, int x, int y, MeshPlace flat) {
+MeshPosition rim_direction(const Mask& nodata, int x, int y, MeshPosition flat) {
     float east = 0.0F;
     float north = 0.0F;
     for (int v = y - rim_reach; v <= y + rim_reach; ++v) {
@@ -165,7 +165,7 @@ class Hierarchy {
 
     [[nodiscard]] float own_error(Vertex v, Vertex a, Vertex b) const {
         const float off = heights_[index(v)] - 0.5F * (heights_[index(a)] + heights_[index(b)]);
-        const MeshPlace at = lattice_.places[index(v)];
+        const MeshPosition at = lattice_.positions[index(v)];
         const float depth =
             scale_.depth + scale_.depth_east * at.east + scale_.depth_north * at.north;
         return scale_.pixels * std::abs(off) / std::max(depth, 0.05F);
@@ -227,7 +227,7 @@ class Hierarchy {
     }
 
     void add_side(Vertex a, Vertex b, TerrainMesh& mesh) const {
-        const auto face = [&](MeshPlace normal) {
+        const auto face = [&](MeshPosition normal) {
             mesh.sides.push_back({index(a), index(b), normal, normal});
         };
         if (a.x == 0 && b.x == 0) face({-1.0F, 0.0F});
@@ -252,11 +252,11 @@ TerrainLattice terrain_lattice(int nx, int ny, const Mask& nodata, int stride) {
     TerrainLattice lattice;
     lattice.nx = static_cast<int>(east.cells.size());
     lattice.ny = static_cast<int>(north.cells.size());
-    lattice.places.reserve(east.cells.size() * north.cells.size());
+    lattice.positions.reserve(east.cells.size() * north.cells.size());
     lattice.cells.reserve(east.cells.size() * north.cells.size());
-    for (std::size_t j = 0; j < north.places.size(); ++j) {
-        for (std::size_t i = 0; i < east.places.size(); ++i) {
-            lattice.places.push_back({east.places[i], north.places[j]});
+    for (std::size_t j = 0; j < north.positions.size(); ++j) {
+        for (std::size_t i = 0; i < east.positions.size(); ++i) {
+            lattice.positions.push_back({east.positions[i], north.positions[j]});
             lattice.cells.push_back(static_cast<std::uint32_t>(north.cells[j]) *
                                         static_cast<std::uint32_t>(nx) +
                                     static_cast<std::uint32_t>(east.cells[i]));

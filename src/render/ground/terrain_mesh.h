@@ -9,7 +9,7 @@
 namespace fumon {
 
 /// A place on the bed in shares of its extents, 0 … 1 east and north.
-struct MeshPlace {
+struct MeshPosition {
     float east;
     float north;
 };
@@ -19,7 +19,7 @@ struct MeshPlace {
 struct TerrainLattice {
     int nx = 0;  ///< vertices eastward
     int ny = 0;
-    std::vector<MeshPlace> places;
+    std::vector<MeshPosition> positions;
     std::vector<std::uint32_t> cells;  ///< of each vertex: the cell that gives its height
     Mask drawn;                        ///< which quads between vertices; empty: all
 };
@@ -29,8 +29,8 @@ struct TerrainLattice {
 struct SideFace {
     std::uint32_t from;
     std::uint32_t to;
-    MeshPlace normal_from;
-    MeshPlace normal_to;
+    MeshPosition normal_from;
+    MeshPosition normal_to;
 };
 
 /// What is drawn of a lattice.

@@ -13,14 +13,15 @@ namespace fumon {
 
 namespace {
 
-constexpr int toned_in_a_band = 1 << 18;  // pixels: 4 MiB of floats
+constexpr int toned_pixels_per_band = 1 << 18;  // pixels: 4 MiB of floats
 
-const gl::TextureLayout gathered_layout{GL_RGBA32F, GL_RGBA, GL_FLOAT,
-                                        GL_NEAREST, 0,       GL_CLAMP_TO_EDGE};
+const gl::TextureLayout accumulated_layout{GL_RGBA32F, GL_RGBA, GL_FLOAT,
+                                           GL_NEAREST, 0,       GL_CLAMP_TO_EDGE};
 
 /// Through rows of 16 bits either way: a byte's step is then 257 of theirs.
 gl::TextureLayout shown_layout(bool deep) {
-    gl::TextureLayout layout = colour_layout(deep ? PixelKind::display_16 : PixelKind::display_8);
+    gl::TextureLayout layout =
+        colour_layout(deep ? PixelFormat::display_16 : PixelFormat::display_8);
     layout.filter = GL_NEAREST;
     return layout;
 }
@@ -28,17 +29,17 @@ gl::TextureLayout shown_layout(bool deep) {
 }  // namespace
 
 LensTone::LensTone(const Tile& largest, const gl::Constants& fixed, bool deep)
-    : rows_(std::clamp(toned_in_a_band / largest.width, 1, largest.height)),
-      program_("common/screen.vert.glsl", "lens/gathered.frag.glsl", {}, fixed),
-      gathered_(largest.width, rows_, gathered_layout),
+    : rows_(std::clamp(toned_pixels_per_band / largest.width, 1, largest.height)),
+      program_("common/screen.vert.glsl", "lens/accumulated.frag.glsl", {}, fixed),
+      accumulated_(largest.width, rows_, accumulated_layout),
       shown_(largest.width, rows_, shown_layout(deep)) {}
 
-void LensTone::put(const GatheredLight& light, const View& view, const Light& of,
+void LensTone::put(const AccumulatedLight& light, const View& view, const Light& of,
                    const Camera& camera, const Block& block, Image& image) const {
     const gl::Functions& gl = gl::functions();
     const Tile& tile = light.tile();
     const bool deep = !image.rgb16.empty();
-    const auto across = static_cast<std::size_t>(gathered_.width());
+    const auto across = static_cast<std::size_t>(accumulated_.width());
     const std::size_t width = 4 * static_cast<std::size_t>(tile.width);
     std::vector<float> given(4 * across * static_cast<std::size_t>(rows_));
     std::vector<std::uint16_t> levels(width * static_cast<std::size_t>(rows_));
@@ -47,13 +48,13 @@ void LensTone::put(const GatheredLight& light, const View& view, const Light& of
         for (int y = 0; y < rows; ++y)
             std::copy_n(light.row(upper + y), width,
                         given.data() + 4 * across * static_cast<std::size_t>(y));
-        gathered_.upload(given.data());
+        accumulated_.upload(given.data());
         shown_.bind();
         gl.Disable(GL_DEPTH_TEST);
         program_.use();
         set_light(program_, view, of, camera, block);
-        gathered_.bind(0);
-        program_.set("gathered", 0);
+        accumulated_.bind(0);
+        program_.set("accumulated", 0);
         program_.set("first_pixel", glm::vec2(glm::ivec2(tile.x, tile.y + upper)));
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
         gl.ReadPixels(0, 0, tile.width, rows, GL_RGBA, GL_UNSIGNED_SHORT, levels.data());

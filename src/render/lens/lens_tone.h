@@ -4,7 +4,7 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/light/light.h"
-#include "render/samples/gathered_light.h"
+#include "render/samples/accumulated_light.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/tiles.h"
@@ -19,13 +19,13 @@ class LensTone {
     LensTone(const Tile& largest, const gl::Constants& fixed, bool deep);
 
     /// Puts a tile into the picture, of 8 or also of 16 bits, and with opacities as this has them.
-    void put(const GatheredLight& light, const View& view, const Light& of, const Camera& camera,
+    void put(const AccumulatedLight& light, const View& view, const Light& of, const Camera& camera,
              const Block& block, Image& image) const;
 
   private:
     int rows_;  // at once
     gl::Program program_;
-    gl::Texture2D gathered_;
+    gl::Texture2D accumulated_;
     gl::RenderTarget shown_;
 };
 

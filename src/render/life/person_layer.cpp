@@ -12,10 +12,10 @@
 #include "base/error.h"
 #include "render/frame/view_uniforms.h"
 #include "render/life/person_mesh.h"
-#include "render/view/chosen_ground.h"
-#include "render/view/drawn_height.h"
+#include "render/view/bed_positions.h"
+#include "render/view/bilinear_height.h"
 #include "render/view/framing.h"
-#include "render/view/places_on_bed.h"
+#include "render/view/ground_choice.h"
 
 namespace fumon {
 
@@ -37,10 +37,10 @@ void check_view(const View& view, const Block& block, const Snapshot& first) {
     }
 }
 
-std::vector<PersonPlace> person_places(const View& view, const Block& block,
-                                       const Snapshot& first) {
+std::vector<PersonPosition> person_positions(const View& view, const Block& block,
+                                             const Snapshot& first) {
     check_view(view, block, first);
-    std::vector<PersonPlace> places;
+    std::vector<PersonPosition> positions;
     for (std::size_t i = 0; i < view.persons.size(); ++i) {
         const PersonSettings& person = view.persons[i];
         const std::string key = fmt::format("person.{}.at", i);
@@ -50,11 +50,11 @@ std::vector<PersonPlace> person_places(const View& view, const Block& block,
                                     "south-western corner");
         }
         const glm::dvec2 at =
-            place_on_bed({person.at[0], person.at[1]}, view, block, first, key, key);
+            bed_position({person.at[0], person.at[1]}, view, block, first, key, key);
         const double angle = -person.facing * degree;
-        places.push_back({at, glm::vec2(elementary::cos(angle), elementary::sin(angle))});
+        positions.push_back({at, glm::vec2(elementary::cos(angle), elementary::sin(angle))});
     }
-    return places;
+    return positions;
 }
 
 }  // namespace
@@ -62,28 +62,28 @@ std::vector<PersonPlace> person_places(const View& view, const Block& block,
 void check_persons(const View& view, const Snapshot& first) {
     if (view.persons.empty()) return;
     const View drawn = with_chosen_ground(view, first);
-    static_cast<void>(person_places(drawn, framed_block(drawn, first), first));
+    static_cast<void>(person_positions(drawn, framed_block(drawn, first), first));
 }
 
 PersonLayer::PersonLayer(const View& view, const Block& block, const Snapshot& first,
                          const gl::Constants& fixed)
     : view_(view),
       block_(block),
-      places_(person_places(view, block, first)),
+      positions_(person_positions(view, block, first)),
       program_("life/person.vert.glsl", "life/standing.frag.glsl",
                {"part", "part_normal", "part_colour"}, fixed),
       shadow_program_("life/person_shadow.vert.glsl", "life/plant.frag.glsl",
                       {"part", "part_normal", "part_colour"}, fixed) {
-    const std::vector<PersonCorner> mesh = person_mesh();
+    const std::vector<PersonVertex> mesh = person_mesh();
     count_ = static_cast<int>(mesh.size());
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(array_.name());
     gl.BindBuffer(GL_ARRAY_BUFFER, corners_.name());
-    constexpr std::size_t size = sizeof(PersonCorner);
+    constexpr std::size_t size = sizeof(PersonVertex);
     gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.size() * size), mesh.data(),
                   GL_STATIC_DRAW);
-    constexpr std::array offsets{offsetof(PersonCorner, place), offsetof(PersonCorner, normal),
-                                 offsetof(PersonCorner, colour)};
+    constexpr std::array offsets{offsetof(PersonVertex, position), offsetof(PersonVertex, normal),
+                                 offsetof(PersonVertex, colour)};
     for (std::size_t i = 0; i < offsets.size(); ++i) {
         gl.VertexAttribPointer(static_cast<GLuint>(i), 3, GL_FLOAT, GL_FALSE, size,
                                reinterpret_cast<const void*>(offsets.at(i)));
@@ -114,25 +114,25 @@ void PersonLayer::set_common(const gl::Program& program, const GroundTransform& 
     program.set("tile_size", tile.size);
     program.set("from_eye", ground.endless ? 1.0F : 0.0F);
     program.set("eye_from_middle", glm::vec2(ground.eye_from_middle));
-    program.set("copy_strength", static_cast<float>(ground.copies.strength()));
+    program.set("warp_strength", static_cast<float>(ground.copies.strength()));
 }
 
-void PersonLayer::draw_one(const gl::Program& program, const PersonPlace& place,
+void PersonLayer::draw_one(const gl::Program& program, const PersonPosition& position,
                            const GroundTransform& ground, const Camera& camera) const {
-    const GroundCopy copy = ground.copies.at(place.at);
+    const WarpedGround copy = ground.copies.at(position.at);
     const glm::dvec2 share =
-        tiles_.in_maps((place.at - ground.origin) / extent_ + 0.5 + copy.aside);
+        tiles_.in_maps((position.at - ground.origin) / extent_ + 0.5 + copy.offset);
     const double height =
-        ground.copies.raised(copy, static_cast<double>(drawn_height(z_, share, repeats_)));
-    glm::dvec3 root(place.at, height);
+        ground.copies.raised(copy, static_cast<double>(bilinear_height(z_, share, repeats_)));
+    glm::dvec3 root(position.at, height);
     if (ground.endless) {
         root -= camera.eye;
         root.z -=
             glm::dot(glm::dvec2(root), glm::dvec2(root)) * static_cast<double>(ground.curvature);
     }
     program.set("root", glm::vec4(glm::dvec4(root, 1.0 / block_.side)));
-    program.set("root_place", glm::vec2(share - glm::floor(share)));
-    program.set("turn", place.turn);
+    program.set("root_position", glm::vec2(share - glm::floor(share)));
+    program.set("turn", position.turn);
     gl::functions().DrawArrays(GL_TRIANGLES, 0, count_);
 }
 
@@ -169,7 +169,8 @@ void PersonLayer::draw_shadows(const GroundTransform& ground, const BedShading& 
             middle + off * (elementary::cos(angle) * aside + elementary::sin(angle) * up));
         shadow_program_.set("from_point", glm::vec3(from));
         gl.StencilFunc(GL_GREATER, first_shadow_bit * (point + 1), shadow_bits);
-        for (const PersonPlace& place : places_) draw_one(shadow_program_, place, ground, camera);
+        for (const PersonPosition& position : positions_)
+            draw_one(shadow_program_, position, ground, camera);
     }
     gl.StencilMask(0xFF);
     gl.Disable(GL_STENCIL_TEST);
@@ -187,7 +188,7 @@ void PersonLayer::draw(const GroundTransform& ground, const BedShading& shading,
     shading.bind(program_);
     set_light(program_, view_, light, camera, block_);
     if (through_) through_->bind(program_, first_, factor_);
-    for (const PersonPlace& place : places_) draw_one(program_, place, ground, camera);
+    for (const PersonPosition& position : positions_) draw_one(program_, position, ground, camera);
     gl.BindVertexArray(0);
 }
 
@@ -196,7 +197,7 @@ void PersonLayer::rasterise_positions(const gl::Program& program, const GroundTr
     gl::functions().Enable(GL_DEPTH_TEST);
     gl::functions().BindVertexArray(array_.name());
     set_common(program, ground, tile);
-    for (const PersonPlace& place : places_) draw_one(program, place, ground, camera);
+    for (const PersonPosition& position : positions_) draw_one(program, position, ground, camera);
     gl::functions().BindVertexArray(0);
 }
 

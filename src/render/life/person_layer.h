@@ -22,7 +22,7 @@ namespace fumon {
 void check_persons(const View& view, const Snapshot& first);
 
 /// Where a person stands.
-struct PersonPlace {
+struct PersonPosition {
     glm::dvec2 at;   ///< block lengths from the bed's middle
     glm::vec2 turn;  ///< cosine and sine, anticlockwise from north
 };
@@ -56,14 +56,14 @@ class PersonLayer {
   private:
     void set_common(const gl::Program& program, const GroundTransform& ground,
                     const TileSamples& tile) const;
-    void draw_one(const gl::Program& program, const PersonPlace& place,
+    void draw_one(const gl::Program& program, const PersonPosition& position,
                   const GroundTransform& ground, const Camera& camera) const;
     void draw_shadows(const GroundTransform& ground, const BedShading& shading, const Light& light,
                       const Camera& camera, const TileSamples& tile) const;
 
     View view_;
     Block block_;
-    std::vector<PersonPlace> places_;
+    std::vector<PersonPosition> positions_;
     gl::Program program_;
     gl::Program shadow_program_;
     std::optional<gl::Program> depth_program_;

@@ -50,7 +50,7 @@ BodyRing ring_between(const std::vector<BodyRing>& rings, std::size_t i, double 
 }
 
 /// A surface of rows of `sides` points, closed around; normals from its own differences.
-void add_surface(std::vector<PersonCorner>& mesh, const std::vector<std::vector<glm::dvec3>>& rows,
+void add_surface(std::vector<PersonVertex>& mesh, const std::vector<std::vector<glm::dvec3>>& rows,
                  const glm::vec3& colour) {
     const auto point = [&](std::size_t row, int side) {
         return rows[row][static_cast<std::size_t>((side + sides) % sides)];
@@ -63,22 +63,22 @@ void add_surface(std::vector<PersonCorner>& mesh, const std::vector<std::vector<
             around =
                 point(row == 0 ? 1 : row - 1, side + 1) - point(row == 0 ? 1 : row - 1, side - 1);
         const glm::dvec3 along = point(above, side) - point(below, side);
-        return PersonCorner{glm::vec3(point(row, side)),
+        return PersonVertex{glm::vec3(point(row, side)),
                             glm::vec3(glm::normalize(glm::cross(around, along))), colour};
     };
     for (std::size_t row = 0; row + 1 < rows.size(); ++row) {
         for (int side = 0; side < sides; ++side) {
-            const PersonCorner a = corner(row, side);
-            const PersonCorner b = corner(row, side + 1);
-            const PersonCorner c = corner(row + 1, side);
-            const PersonCorner d = corner(row + 1, side + 1);
+            const PersonVertex a = corner(row, side);
+            const PersonVertex b = corner(row, side + 1);
+            const PersonVertex c = corner(row + 1, side);
+            const PersonVertex d = corner(row + 1, side + 1);
             mesh.insert(mesh.end(), {a, b, c, b, d, c});
         }
     }
 }
 
 /// Level ellipses from below upward, rounded off at both ends.
-void add_limb(std::vector<PersonCorner>& mesh, const std::vector<BodyRing>& rings,
+void add_limb(std::vector<PersonVertex>& mesh, const std::vector<BodyRing>& rings,
               const glm::vec3& colour) {
     std::vector<BodyRing> all;
     const auto add_end = [&](const BodyRing& end, double way) {
@@ -113,7 +113,7 @@ void add_limb(std::vector<PersonCorner>& mesh, const std::vector<BodyRing>& ring
 }
 
 /// An ellipsoid.
-void add_round(std::vector<PersonCorner>& mesh, const glm::dvec3& middle, const glm::dvec3& radii,
+void add_round(std::vector<PersonVertex>& mesh, const glm::dvec3& middle, const glm::dvec3& radii,
                const glm::vec3& colour) {
     constexpr int steps = 12;
     std::vector<std::vector<glm::dvec3>> rows;
@@ -133,8 +133,8 @@ void add_round(std::vector<PersonCorner>& mesh, const glm::dvec3& middle, const 
 
 }  // namespace
 
-std::vector<PersonCorner> person_mesh() {
-    std::vector<PersonCorner> mesh;
+std::vector<PersonVertex> person_mesh() {
+    std::vector<PersonVertex> mesh;
     for (const double side : {-1.0, 1.0}) {
         const double before = 0.13 * side;  // the right foot
         const auto at = [side](double x, double y, double z) { return glm::dvec3(side * x, y, z); };
@@ -177,16 +177,16 @@ std::vector<PersonCorner> person_mesh() {
     add_round(mesh, {0.0, 0.012, 1.652}, {0.185, 0.205, 0.014}, hat);
     add_limb(mesh, {{{0.0, 0.012, 1.652}, 0.092, 0.108}, {{0.0, 0.012, 1.700}, 0.080, 0.094}}, hat);
     // To its height: hat and soles round it off.
-    float lowest = mesh.front().place.z;
+    float lowest = mesh.front().position.z;
     float highest = lowest;
-    for (const PersonCorner& corner : mesh) {
-        lowest = std::min(lowest, corner.place.z);
-        highest = std::max(highest, corner.place.z);
+    for (const PersonVertex& corner : mesh) {
+        lowest = std::min(lowest, corner.position.z);
+        highest = std::max(highest, corner.position.z);
     }
     const float scale = static_cast<float>(person_height) / (highest - lowest);
-    for (PersonCorner& corner : mesh) {
-        corner.place.z -= lowest;
-        corner.place *= scale;
+    for (PersonVertex& corner : mesh) {
+        corner.position.z -= lowest;
+        corner.position *= scale;
     }
     return mesh;
 }

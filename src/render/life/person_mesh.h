@@ -7,8 +7,8 @@ namespace fumon {
 
 /// A corner of a person's surface: metres, from the ground between the heels; looking along +y, x
 /// to the right.
-struct PersonCorner {
-    glm::vec3 place{0.0F};
+struct PersonVertex {
+    glm::vec3 position{0.0F};
     glm::vec3 normal{0.0F, 0.0F, 1.0F};
     glm::vec3 colour{0.5F};  ///< reflectances
 };
@@ -17,6 +17,6 @@ inline constexpr double person_height = 1.75;  // metres
 
 /// A walker of that height, one foot before the other: triangles, three corners each. The same each
 /// time.
-std::vector<PersonCorner> person_mesh();
+std::vector<PersonVertex> person_mesh();
 
 }  // namespace fumon

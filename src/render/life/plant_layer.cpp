@@ -10,17 +10,17 @@
 #include "base/snapshot_lookup.h"
 #include "base/whole_number.h"
 #include "render/frame/view_uniforms.h"
-#include "render/view/drawn_height.h"
-#include "render/view/far_copies_waves.h"
+#include "render/view/bilinear_height.h"
+#include "render/view/tile_warp_waves.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr int squares_a_side = 16;
+constexpr int squares_per_side = 16;
 constexpr int rank_levels = 12;
-constexpr double all_are_seen = 9.0;  // pixels: as high as this, every plant is drawn
-constexpr double least_pixels = 0.9;  // that a plant is high
+constexpr double full_density_pixels = 9.0;  // pixels: as high as this, every plant is drawn
+constexpr double least_pixels = 0.9;         // that a plant is high
 constexpr double shadow_pixels = 2.0;
 constexpr std::array detail_pixels{60.0, 20.0};
 constexpr double most_growth = 2.5;
@@ -88,15 +88,15 @@ PlantLayer::PlantLayer(const View& view, const Block& block, const gl::Constants
     }
 }
 
-void PlantLayer::build(Mesh& mesh, const std::vector<LeafCorner>& corners) const {
+void PlantLayer::build(Mesh& mesh, const std::vector<LeafVertex>& corners) const {
     const gl::Functions& gl = gl::functions();
     mesh.count = static_cast<int>(corners.size());
     gl.BindVertexArray(mesh.array.name());
     gl.BindBuffer(GL_ARRAY_BUFFER, mesh.corners.name());
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(LeafCorner)),
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(LeafVertex)),
                   corners.data(), GL_STATIC_DRAW);
-    point_attribute(0, 3, sizeof(LeafCorner), offsetof(LeafCorner, place), 0);
-    point_attribute(1, 4, sizeof(LeafCorner), offsetof(LeafCorner, normal), 0);  // and tint
+    point_attribute(0, 3, sizeof(LeafVertex), offsetof(LeafVertex, position), 0);
+    point_attribute(1, 4, sizeof(LeafVertex), offsetof(LeafVertex, normal), 0);  // and tint
     gl.BindBuffer(GL_ARRAY_BUFFER, mesh.instances.name());
     point_attribute(2, 4, sizeof(Instance), offsetof(Instance, root), 1);
     point_attribute(3, 3, sizeof(Instance), offsetof(Instance, form), 1);
@@ -104,20 +104,20 @@ void PlantLayer::build(Mesh& mesh, const std::vector<LeafCorner>& corners) const
 }
 
 void PlantLayer::set_bed(const Snapshot& snapshot, const Field<float>& z, bool repeats) {
-    const std::vector<Plant> plants = plant_places(snapshot, block_, view_.look.plants);
+    const std::vector<Plant> plants = plant_positions(snapshot, block_, view_.look.plants);
     levels_.assign(rank_levels, {});
-    for (Level& level : levels_) level.squares.resize(squares_a_side * squares_a_side);
+    for (Level& level : levels_) level.squares.resize(squares_per_side * squares_per_side);
     tallest_ = 0.0F;
     for (const Plant& plant : plants) {
         // The share of plants that a level begins at halves from one to the next.
         int level = 0;
         for (float share = 0.5F; level + 1 < rank_levels && plant.rank < share; share *= 0.5F)
             ++level;
-        const auto square = [](double place, double extent) {
-            return whole_within(place / extent * squares_a_side, 0, squares_a_side - 1);
+        const auto square = [](double position, double extent) {
+            return whole_within(position / extent * squares_per_side, 0, squares_per_side - 1);
         };
-        const int number = square(plant.place.y, block_.width_y) * squares_a_side +
-                           square(plant.place.x, block_.width_x);
+        const int number = square(plant.position.y, block_.width_y) * squares_per_side +
+                           square(plant.position.x, block_.width_x);
         levels_[static_cast<std::size_t>(level)]
             .squares[static_cast<std::size_t>(number)]
             .push_back(plant);
@@ -135,13 +135,13 @@ void PlantLayer::set_bed(const Snapshot& snapshot, const Field<float>& z, bool r
 }
 
 /// From the bed's south-west corner.
-float PlantLayer::ground_at(const glm::dvec2& place, const GroundTransform& ground) const {
-    return drawn_height(z_, (place - ground.origin) / glm::dvec2(block_.width_x, block_.width_y),
-                        repeats_);
+float PlantLayer::ground_at(const glm::dvec2& position, const GroundTransform& ground) const {
+    return bilinear_height(
+        z_, (position - ground.origin) / glm::dvec2(block_.width_x, block_.width_y), repeats_);
 }
 
 /// Whether a ball may show in the picture.
-bool PlantLayer::in_sight(const Camera& camera, const glm::dvec3& offset, double radius) const {
+bool PlantLayer::in_frustum(const Camera& camera, const glm::dvec3& offset, double radius) const {
     const double depth = glm::dot(offset, camera.forward);
     radius += camera.lens.radius * std::abs(1.0 - depth / camera.lens.focus);  // it is blurred
     if (depth < -radius) return false;
@@ -156,17 +156,19 @@ void PlantLayer::choose_in(const std::vector<Plant>& plants, const glm::dvec2& o
                            const GroundTransform& ground, const Camera& camera) {
     const double angle = pixel_angle(camera, view_);
     for (const Plant& plant : plants) {
-        const glm::dvec2 place = ground.copies.place_of(origin + glm::dvec2(plant.place));
-        const double z =
-            ground.copies.raised(ground.copies.at(place),
-                                 static_cast<double>(ground_at(glm::dvec2(plant.place), ground)));
-        glm::dvec3 offset(place - glm::dvec2(camera.eye), z - camera.eye.z);
+        const glm::dvec2 position =
+            ground.copies.ground_position_of(origin + glm::dvec2(plant.position));
+        const double z = ground.copies.raised(
+            ground.copies.at(position),
+            static_cast<double>(ground_at(glm::dvec2(plant.position), ground)));
+        glm::dvec3 offset(position - glm::dvec2(camera.eye), z - camera.eye.z);
         const double distance = glm::length(offset);
         const double pixels = plant.height / (distance * angle);
-        const double seen_whole = all_are_seen / pixels;
-        const double share = seen_whole > 1.0 ? 1.0 / (seen_whole * seen_whole) : 1.0;
+        const double full_density_ratio = full_density_pixels / pixels;
+        const double share =
+            full_density_ratio > 1.0 ? 1.0 / (full_density_ratio * full_density_ratio) : 1.0;
         if (pixels < least_pixels || plant.rank >= share) continue;
-        if (!in_sight(camera, offset, 2.0 * plant.height)) continue;
+        if (!in_frustum(camera, offset, 2.0 * plant.height)) continue;
         // Plants shrink away before they are left out.
         const double faded =
             share < 1.0 ? std::min((share - plant.rank) / (0.25 * share), 1.0) : 1.0;
@@ -175,7 +177,8 @@ void PlantLayer::choose_in(const std::vector<Plant>& plants, const glm::dvec2& o
         if (ground.endless)
             offset.z -= glm::dot(glm::dvec2(offset), glm::dvec2(offset)) *
                         static_cast<double>(ground.curvature);
-        const glm::vec3 root = ground.endless ? glm::vec3(offset) : glm::vec3(glm::dvec3(place, z));
+        const glm::vec3 root =
+            ground.endless ? glm::vec3(offset) : glm::vec3(glm::dvec3(position, z));
         const Instance one{{root, height},
                            {static_cast<float>(elementary::cos(plant.turn)),
                             static_cast<float>(elementary::sin(plant.turn)),
@@ -196,14 +199,14 @@ void PlantLayer::choose(const GroundTransform& ground, const Camera& camera) {
     for (Mesh& mesh : shadows_) mesh.chosen.clear();
     if (tallest_ <= 0.0F || !camera.perspective) return;
     const double angle = pixel_angle(camera, view_);
-    const glm::dvec2 square(block_.width_x / squares_a_side, block_.width_y / squares_a_side);
+    const glm::dvec2 square(block_.width_x / squares_per_side, block_.width_y / squares_per_side);
     const glm::dvec2 corner(-0.5 * block_.width_x, -0.5 * block_.width_y);
-    const double all_within = tallest_ / (all_are_seen * angle);
+    const double all_within = tallest_ / (full_density_pixels * angle);
     const double none_beyond = tallest_ / (least_pixels * angle);
     const double middle_z = block_.surface;
     const bool varied = ground.copies.varied();
-    const double widest = varied ? far_copies::widest : 1.0;
-    const double aside = varied ? far_copies::farthest_aside * squares_a_side : 0.0;
+    const double widest = varied ? tile_warp::largest_stretch : 1.0;
+    const double aside = varied ? tile_warp::largest_offset * squares_per_side : 0.0;
     for (std::size_t level = 0; level < levels_.size(); ++level) {
         const double lowest_rank =
             level + 1 < levels_.size() ? std::ldexp(0.5, -static_cast<int>(level)) : 0.0;
@@ -214,7 +217,7 @@ void PlantLayer::choose(const GroundTransform& ground, const Camera& camera) {
         const auto range = [&](double at, double from, double size) {
             const double low = (at - reach - from) / size - aside;
             const double high = (at + reach - from) / size + aside;
-            const double last = squares_a_side - 1;
+            const double last = squares_per_side - 1;
             return repeats_ ? std::pair(std::floor(low), std::floor(high))
                             : std::pair(std::clamp(std::floor(low), 0.0, last),
                                         std::clamp(std::floor(high), 0.0, last));
@@ -223,18 +226,18 @@ void PlantLayer::choose(const GroundTransform& ground, const Camera& camera) {
         const auto [south, north] = range(camera.eye.y, corner.y, square.y);
         for (double y = south; y <= north; y += 1.0) {
             for (double x = west; x <= east; x += 1.0) {
-                const glm::dvec2 middle =
-                    ground.copies.place_of(corner + square * glm::dvec2(x + 0.5, y + 0.5));
+                const glm::dvec2 middle = ground.copies.ground_position_of(
+                    corner + square * glm::dvec2(x + 0.5, y + 0.5));
                 const glm::dvec3 offset(middle - glm::dvec2(camera.eye), middle_z - camera.eye.z);
                 const double radius =
                     widest * 0.5 * glm::length(square) + (block_.top - block_.base);
                 if (glm::length(glm::dvec2(offset)) > reach + radius) continue;
-                if (!in_sight(camera, offset, radius)) continue;
-                const double repeat_x = std::floor(x / squares_a_side);
-                const double repeat_y = std::floor(y / squares_a_side);
+                if (!in_frustum(camera, offset, radius)) continue;
+                const double repeat_x = std::floor(x / squares_per_side);
+                const double repeat_y = std::floor(y / squares_per_side);
                 const auto number =
-                    static_cast<std::size_t>((y - repeat_y * squares_a_side) * squares_a_side +
-                                             (x - repeat_x * squares_a_side));
+                    static_cast<std::size_t>((y - repeat_y * squares_per_side) * squares_per_side +
+                                             (x - repeat_x * squares_per_side));
                 choose_in(levels_[level].squares[number],
                           corner + glm::dvec2(repeat_x * block_.width_x, repeat_y * block_.width_y),
                           ground, camera);
@@ -254,8 +257,8 @@ void PlantLayer::upload(const Mesh& mesh) {
                   mesh.chosen.data(), GL_STREAM_DRAW);
 }
 
-void PlantLayer::set_place(const gl::Program& program, const GroundTransform& ground,
-                           const TileSamples& tile) {
+void PlantLayer::set_position(const gl::Program& program, const GroundTransform& ground,
+                              const TileSamples& tile) {
     program.use();
     program.set("clip", ground.clip);
     program.set("picture_size", tile.picture_size);
@@ -266,13 +269,13 @@ void PlantLayer::set_place(const gl::Program& program, const GroundTransform& gr
 void PlantLayer::set_common(const gl::Program& program, const GroundTransform& ground,
                             const BedShading& shading, const Light& light, const Camera& camera,
                             const TileSamples& tile) const {
-    set_place(program, ground, tile);
+    set_position(program, ground, tile);
     shading.bind(program);
     set_light(program, view_, light, camera, block_);
     // Reduced to one period, for the sake of precision.
-    const auto reduced = [&](double place, double extent) {
-        if (block_.tiles.plain) return place;
-        return place - extent * std::floor(place / extent + 0.5);
+    const auto reduced = [&](double position, double extent) {
+        if (block_.tiles.plain) return position;
+        return position - extent * std::floor(position / extent + 0.5);
     };
     program.set("root_origin",
                 ground.endless ? glm::vec2(reduced(camera.eye.x - ground.origin.x, block_.width_x),
@@ -280,7 +283,7 @@ void PlantLayer::set_common(const gl::Program& program, const GroundTransform& g
                                : glm::vec2(0.0F));
     program.set("from_eye", ground.endless ? 1.0F : 0.0F);
     program.set("eye_from_middle", glm::vec2(ground.eye_from_middle));
-    program.set("copy_strength", static_cast<float>(ground.copies.strength()));
+    program.set("warp_strength", static_cast<float>(ground.copies.strength()));
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
 }
 
@@ -333,7 +336,7 @@ void PlantLayer::rasterise_positions(const gl::Program& leaves, const GroundTran
     if (tallest_ <= 0.0F || !camera.perspective) return;
     const gl::Functions& gl = gl::functions();
     gl.Enable(GL_DEPTH_TEST);
-    set_place(leaves, ground, tile);
+    set_position(leaves, ground, tile);
     for (const auto& of_kind : meshes_) {
         for (const Mesh& mesh : of_kind) {
             if (mesh.chosen.empty()) continue;

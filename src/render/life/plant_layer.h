@@ -12,12 +12,12 @@
 #include "render/frame/ground_transform.h"
 #include "render/frame/tile_samples.h"
 #include "render/life/plant_meshes.h"
-#include "render/life/plant_places.h"
+#include "render/life/plant_positions.h"
 #include "render/light/light.h"
 #include "render/streamers/streamer_layer.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
-#include "render/view/far_copies.h"
+#include "render/view/tile_warp.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -73,18 +73,18 @@ class PlantLayer {
         std::vector<Instance> chosen;
     };
 
-    void build(Mesh& mesh, const std::vector<LeafCorner>& corners) const;
+    void build(Mesh& mesh, const std::vector<LeafVertex>& corners) const;
     /// `origin`: the south-western corner of their repetition of the bed.
     void choose_in(const std::vector<Plant>& plants, const glm::dvec2& origin,
                    const GroundTransform& ground, const Camera& camera);
     static void upload(const Mesh& mesh);
-    [[nodiscard]] float ground_at(const glm::dvec2& place, const GroundTransform& ground) const;
-    [[nodiscard]] bool in_sight(const Camera& camera, const glm::dvec3& offset,
-                                double radius) const;
+    [[nodiscard]] float ground_at(const glm::dvec2& position, const GroundTransform& ground) const;
+    [[nodiscard]] bool in_frustum(const Camera& camera, const glm::dvec3& offset,
+                                  double radius) const;
     void draw_shadows(const GroundTransform& ground, const BedShading& shading, const Light& light,
                       const Camera& camera, const TileSamples& tile) const;
-    static void set_place(const gl::Program& program, const GroundTransform& ground,
-                          const TileSamples& tile);
+    static void set_position(const gl::Program& program, const GroundTransform& ground,
+                             const TileSamples& tile);
     void set_common(const gl::Program& program, const GroundTransform& ground,
                     const BedShading& shading, const Light& light, const Camera& camera,
                     const TileSamples& tile) const;

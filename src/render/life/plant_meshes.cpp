@@ -33,7 +33,7 @@ glm::vec3 level(double angle, double length, double z) {
 }
 
 /// A blade in `joints` + 1 pieces that bends outward as it rises.
-void add_blade(std::vector<LeafCorner>& mesh, Shares& share, double width, int joints) {
+void add_blade(std::vector<LeafVertex>& mesh, Shares& share, double width, int joints) {
     const double angle = whole_turn * share();
     const double root = 0.10 * share();
     const double tall = share.between(0.55, 1.0);
@@ -51,20 +51,20 @@ void add_blade(std::vector<LeafCorner>& mesh, Shares& share, double width, int j
         const glm::vec3 high = middle(to);
         const auto low_width = static_cast<float>(1.0 - 0.5 * from);
         const auto high_width = static_cast<float>(1.0 - 0.5 * to);
-        const LeafCorner a{low - low_width * side, normal, tint};
-        const LeafCorner b{low + low_width * side, normal, tint};
+        const LeafVertex a{low - low_width * side, normal, tint};
+        const LeafVertex b{low + low_width * side, normal, tint};
         if (piece == joints) {
             mesh.insert(mesh.end(), {a, b, {high, normal, tint}});
             return;
         }
-        const LeafCorner c{high - high_width * side, normal, tint};
-        const LeafCorner d{high + high_width * side, normal, tint};
+        const LeafVertex c{high - high_width * side, normal, tint};
+        const LeafVertex d{high + high_width * side, normal, tint};
         mesh.insert(mesh.end(), {a, b, c, b, d, c});
     }
 }
 
 /// A leaf or a spray of leaves: a triangle somewhere on a round, open crown.
-void add_leaf(std::vector<LeafCorner>& mesh, Shares& share, double size) {
+void add_leaf(std::vector<LeafVertex>& mesh, Shares& share, double size) {
     const double angle = whole_turn * share();
     const double up = share.between(-0.8, 1.0);
     const double out = 0.62 * (0.45 + 0.55 * share());
@@ -82,7 +82,7 @@ void add_leaf(std::vector<LeafCorner>& mesh, Shares& share, double size) {
     mesh.push_back({middle + length * along, outward, tint});
 }
 
-void add_twig(std::vector<LeafCorner>& mesh, Shares& share) {
+void add_twig(std::vector<LeafVertex>& mesh, Shares& share) {
     const double angle = whole_turn * share();
     const double tall = share.between(0.5, 0.85);
     const double reach = share.between(0.2, 0.5);
@@ -96,8 +96,8 @@ void add_twig(std::vector<LeafCorner>& mesh, Shares& share) {
 
 }  // namespace
 
-std::vector<LeafCorner> plant_mesh(PlantKind kind, PlantDetail detail) {
-    std::vector<LeafCorner> mesh;
+std::vector<LeafVertex> plant_mesh(PlantKind kind, PlantDetail detail) {
+    std::vector<LeafVertex> mesh;
     Shares share(kind == PlantKind::grass ? 11 : 29);
     const auto d = static_cast<std::size_t>(detail);
     if (kind == PlantKind::grass) {

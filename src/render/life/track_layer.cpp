@@ -8,10 +8,10 @@
 
 #include "base/error.h"
 #include "render/frame/view_uniforms.h"
-#include "render/view/chosen_ground.h"
-#include "render/view/drawn_height.h"
+#include "render/view/bed_positions.h"
+#include "render/view/bilinear_height.h"
 #include "render/view/framing.h"
-#include "render/view/places_on_bed.h"
+#include "render/view/ground_choice.h"
 
 namespace fumon {
 
@@ -32,7 +32,7 @@ void check_line(const TrackSettings& track, const std::string& key, const View& 
                                 "of the bed's south-western corner");
     }
     for (std::size_t i = 0; i < track.along.size(); i += 2) {
-        static_cast<void>(place_on_bed({track.along[i], track.along[i + 1]}, view, block, first,
+        static_cast<void>(bed_position({track.along[i], track.along[i + 1]}, view, block, first,
                                        key, fmt::format("{}, point {}", key, i / 2 + 1)));
     }
     const double length = track_length(track);
@@ -80,9 +80,10 @@ TrackLayer::TrackLayer(const View& view, const Block& block, const Snapshot& fir
                                                    : "life/track_block.frag.glsl",
                {"root", "form", "slope"}, fixed) {
     for (const Footprint& print : prints_) {
-        places_.push_back(print.at / block.side - 0.5 * glm::dvec2(block.width_x, block.width_y));
+        positions_.push_back(print.at / block.side -
+                             0.5 * glm::dvec2(block.width_x, block.width_y));
     }
-    anchor_ = places_.front();
+    anchor_ = positions_.front();
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(array_.name());
     instances_.bind();
@@ -101,14 +102,14 @@ TrackLayer::TrackLayer(const View& view, const Block& block, const Snapshot& fir
 void TrackLayer::set_bed(const Field<float>& z, const Block& ground, bool repeats,
                          const GroundTransform& on, const Field<float>* water) {
     const auto share = [&](const glm::dvec2& at) {
-        const glm::dvec2 from = on.copies.shown_at(at) - on.origin;
+        const glm::dvec2 from = on.copies.bed_position_at(at) - on.origin;
         const glm::dvec2 in_maps =
             ground.tiles.in_maps(from / glm::dvec2(ground.width_x, ground.width_y) + 0.5);
         return repeats ? in_maps - glm::floor(in_maps) : in_maps;
     };
     const auto height = [&](const glm::dvec2& at) {
         return on.copies.raised(on.copies.at(at),
-                                static_cast<double>(drawn_height(z, share(at), repeats)));
+                                static_cast<double>(bilinear_height(z, share(at), repeats)));
     };
     const double apart = 0.5 * slope_span / block_.side;
     const auto rise = [&](const glm::dvec2& at, const glm::dvec2& way) {
@@ -117,10 +118,10 @@ void TrackLayer::set_bed(const Field<float>& z, const Block& ground, bool repeat
     std::vector<Instance> instances;
     for (std::size_t i = 0; i < prints_.size(); ++i) {
         const Footprint& print = prints_[i];
-        const glm::dvec2& at = places_[i];
+        const glm::dvec2& at = positions_[i];
         const bool dry =
             water == nullptr ||
-            drawn_height(*water, share(at), repeats) * static_cast<float>(block_.side) < wet;
+            bilinear_height(*water, share(at), repeats) * static_cast<float>(block_.side) < wet;
         instances.push_back(
             {glm::vec4(glm::dvec4(at - anchor_, height(at), print.unevenness)),
              glm::vec4(glm::dvec4(print.heading, print.right ? 1.0 : -1.0, print.depth)),
@@ -136,17 +137,17 @@ void TrackLayer::set_bed(const Field<float>& z, const Block& ground, bool repeat
     heights_->upload(z.data());
 }
 
-void TrackLayer::draw(const gl::Texture2D& seen, const WorldLayer* world,
+void TrackLayer::draw(const gl::Texture2D& visibility, const WorldLayer* world,
                       const GroundTransform& ground, const BedShading& shading, const Light& light,
                       const Camera& camera, const TileSamples& tile) const {
     const gl::Functions& gl = gl::functions();
     program_.use();
     if (world != nullptr) {
-        world->bind(program_, &seen, shading, light, camera);
+        world->bind(program_, &visibility, shading, light, camera);
     } else {
         shading.bind(program_);
         set_light(program_, view_, light, camera, block_);
-        seen.bind(printed_unit);
+        visibility.bind(printed_unit);
         program_.set("visibility", printed_unit);
         heights_->bind(relief_unit);
         program_.set("height_map", relief_unit);
@@ -157,7 +158,7 @@ void TrackLayer::draw(const gl::Texture2D& seen, const WorldLayer* world,
     program_.set("tile_corner", tile.corner);
     program_.set("tile_size", tile.size);
     program_.set("anchor", glm::vec3(glm::dvec3(anchor, world != nullptr ? -camera.eye.z : 0.0)));
-    program_.set("eye_place", world != nullptr ? glm::vec3(0.0F) : glm::vec3(camera.eye));
+    program_.set("eye_position", world != nullptr ? glm::vec3(0.0F) : glm::vec3(camera.eye));
     program_.set("curvature", ground.curvature);
     program_.set("metre", static_cast<float>(1.0 / block_.side));
     program_.set("step_length", static_cast<float>(step_length));

@@ -37,11 +37,11 @@ class TrackLayer {
     void set_bed(const Field<float>& z, const Block& ground, bool repeats,
                  const GroundTransform& on, const Field<float>* water);
 
-    /// Draws over the ground's colours in the bound target what the samples of `seen` see of
+    /// Draws over the ground's colours in the bound target what the samples of `visibility` see of
     /// prints: of endless ground, where `world` is given, or of a block.
-    void draw(const gl::Texture2D& seen, const WorldLayer* world, const GroundTransform& ground,
-              const BedShading& shading, const Light& light, const Camera& camera,
-              const TileSamples& tile) const;
+    void draw(const gl::Texture2D& visibility, const WorldLayer* world,
+              const GroundTransform& ground, const BedShading& shading, const Light& light,
+              const Camera& camera, const TileSamples& tile) const;
 
   private:
     /// What one print gives to the box around it.
@@ -54,7 +54,7 @@ class TrackLayer {
     View view_;
     Block block_;
     std::vector<Footprint> prints_;
-    std::vector<glm::dvec2> places_;  ///< theirs, block lengths from the bed's middle
+    std::vector<glm::dvec2> positions_;  ///< theirs, block lengths from the bed's middle
     gl::Program program_;
     gl::VertexArray array_;
     gl::DynamicBuffer instances_{GL_ARRAY_BUFFER};

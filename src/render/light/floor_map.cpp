@@ -100,14 +100,14 @@ void continue_under(Field<float>& light, Field<std::uint8_t> covered, Reach reac
 }
 
 /// An angle by its cosine and sine.
-struct Turn {
+struct Rotation {
     double cosine;
     double sine;
 };
 
 /// A field turned about its middle, in between linear, within `reach` both ways; `outside` beyond
 /// that and where the field does not reach.
-Field<float> turned(const Field<float>& field, const Turn& turn, float outside, Reach reach) {
+Field<float> rotated(const Field<float>& field, const Rotation& turn, float outside, Reach reach) {
     Field<float> result(n, n, outside);
     constexpr double middle = 0.5 * (n - 1);
     for (int y = reach.begin; y < reach.end; ++y) {
@@ -141,19 +141,19 @@ Field<std::uint8_t> at_block(const Field<float>& cover) {
 /// corners cast star-shaped wedges of shade.
 Field<float> open_sky(const Field<float>& heights, const Field<std::uint8_t>& covered, Reach reach,
                       float width, WorkerPool& pool) {
-    constexpr std::array<Turn, 4> turns = {{{1.0, 0.0},
-                                            {0.98078528040323044, 0.19509032201612827},
-                                            {0.92387953251128676, 0.38268343236508977},
-                                            {0.83146961230254524, 0.55557023301960222}}};
+    constexpr std::array<Rotation, 4> turns = {{{1.0, 0.0},
+                                                {0.98078528040323044, 0.19509032201612827},
+                                                {0.92387953251128676, 0.38268343236508977},
+                                                {0.83146961230254524, 0.55557023301960222}}};
     Field<float> cover(n, n, 0.0F);
     std::transform(covered.values().begin(), covered.values().end(), cover.values().begin(),
                    [](std::uint8_t cell) { return static_cast<float>(cell); });
     Field<float> sum(n, n, 0.0F);
-    for (const Turn& turn : turns) {
-        const Field<std::uint8_t> mask = at_block(turned(cover, turn, 0.0F, reach));
-        Field<float> sky = sky_visibility(turned(heights, turn, 0.0F, reach), width, width, pool);
+    for (const Rotation& turn : turns) {
+        const Field<std::uint8_t> mask = at_block(rotated(cover, turn, 0.0F, reach));
+        Field<float> sky = sky_visibility(rotated(heights, turn, 0.0F, reach), width, width, pool);
         continue_under(sky, mask, reach);
-        const Field<float> back = turned(sky, {turn.cosine, -turn.sine}, 1.0F, {0, n});
+        const Field<float> back = rotated(sky, {turn.cosine, -turn.sine}, 1.0F, {0, n});
         for (std::size_t i = 0; i < sum.size(); ++i)
             sum.values()[i] += back.values()[i] / static_cast<float>(turns.size());
     }
@@ -185,9 +185,9 @@ std::array<int, n> cells_of_bed(double width, int count) {
     std::array<int, n> cells{};
     constexpr double cell = 2.0 * FloorMap::half_width / n;
     for (int i = 0; i < n; ++i) {
-        const double place = ((i + 0.5) * cell - FloorMap::half_width) / width + 0.5;
+        const double position = ((i + 0.5) * cell - FloorMap::half_width) / width + 0.5;
         cells[static_cast<std::size_t>(i)] =
-            place < 0.0 || place >= 1.0 ? -1 : static_cast<int>(place * count);
+            position < 0.0 || position >= 1.0 ? -1 : static_cast<int>(position * count);
     }
     return cells;
 }

@@ -137,13 +137,13 @@ glm::vec3 by_night(const glm::vec3& light) {
 }
 
 void turn_to_night(Light& light) {
-    constexpr float sky_share_seen = 0.2F;  // it looks black beside lit ground
+    constexpr float visible_sky_share = 0.2F;  // it looks black beside lit ground
     light.stars = true;
     light.sun = by_night(light.sun);
     light.sun_aloft = by_night(light.sun_aloft);
     light.sky = by_night(light.sky);
     for (glm::vec4& texel : light.sky_texels)
-        texel = glm::vec4(sky_share_seen * by_night(glm::vec3(texel)), 0.0F);
+        texel = glm::vec4(visible_sky_share * by_night(glm::vec3(texel)), 0.0F);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace fumon {
 struct Light {
     glm::vec3 to_sun{0, 0, 1};  ///< unit vector
     glm::vec3 sun{1};           ///< irradiance on a surface that faces the sun
-    float sun_seen = 1.0F;      ///< share of its light that reaches the eye, for glare
+    float visible_sun = 1.0F;   ///< share of its light that reaches the eye, for glare
     glm::vec3 sky{1};           ///< irradiance of the whole sky on level ground
     glm::vec3 haze{1};          ///< what far things fade into, away from the sun
     glm::vec3 glow{1};          ///< the same towards the sun

@@ -21,13 +21,13 @@ namespace fumon {
 
 namespace {
 
-constexpr int read_around = 9;          // cells that the refinement and slopes look at
-constexpr float shade_averaged = 2.0F;  // cells along a wall to either side
+constexpr int refinement_margin_cells = 9;  // cells that the refinement and slopes look at
+constexpr float shade_mean_cells = 2.0F;    // cells along a wall to either side
 
 /// A periodic field on finer cells, with a margin of so many of them.
 Field<float> refined_around(const Field<float>& field, int refinement, int margin) {
-    return without_margin(refined(with_margin(field, read_around), refinement),
-                          read_around * refinement - margin);
+    return without_margin(refined(with_margin(field, refinement_margin_cells), refinement),
+                          refinement_margin_cells * refinement - margin);
 }
 
 /// The sky's share of each cell, as horizons up to half a period away make it.
@@ -37,19 +37,19 @@ Field<float> repeated_sky(const Field<float>& z, float dx, float dy, WorkerPool&
 }
 
 /// Between the four nearest cells, at a place some cells away from each.
-class Beside {
+class ShiftedSampler {
   public:
-    Beside(float east, float north)
+    ShiftedSampler(float east, float north)
         : west_of_(static_cast<int>(std::floor(east))),
           south_of_(static_cast<int>(std::floor(north))),
           right_(east - std::floor(east)),
           upper_(north - std::floor(north)) {}
 
     [[nodiscard]] float of(const Field<float>& field, int x, int y) const {
-        const auto within = [](int place, int count) {
-            while (place < 0) place += count;
-            while (place >= count) place -= count;
-            return place;
+        const auto within = [](int position, int count) {
+            while (position < 0) position += count;
+            while (position >= count) position -= count;
+            return position;
         };
         const int x0 = within(x + west_of_, field.nx());
         const int x1 = within(x + west_of_ + 1, field.nx());
@@ -97,8 +97,8 @@ Field<float> with_later_shadows(const Field<float>& share, const Field<float>& z
     const float columns = sun.east / dx;
     const float rows = sun.north / dy;
     const float length = 1.0F / std::max(std::abs(columns), std::abs(rows));
-    const Beside sunward(length * columns, length * rows);
-    const Beside away(-length * columns, -length * rows);
+    const ShiftedSampler sunward(length * columns, length * rows);
+    const ShiftedSampler away(-length * columns, -length * rows);
     const float grazing = (sun.lower_limb + sun.upper_limb) * length;  // rise over both
     Field<float> later(share.nx(), share.ny());
     pool.for_ranges(share.ny(), [&](int begin, int end) {
@@ -152,7 +152,7 @@ float in_lee(const Snapshot& snapshot, float east, float north) {
 
 /// How far the sand of each cell lies as it slid, 0 … 1: on steep slopes in the lee, without
 /// exaggeration, and to a cell from them.
-Field<float> slid_sand(const DisplayBed& bed, const Snapshot& snapshot, double exaggeration) {
+Field<float> avalanche_sand(const DisplayBed& bed, const Snapshot& snapshot, double exaggeration) {
     constexpr float none = 0.40F;  // slopes
     constexpr float all = 0.56F;
     const auto rise = static_cast<float>(0.5 / exaggeration);
@@ -190,9 +190,9 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
     DisplayBed coarse = display_bed(snapshot, block, 1);
     coarse.z = rolled(coarse.z, origin.east, origin.north);
     DisplayBed wide;
-    wide.z = without_margin(refined_with_brinks(with_margin(coarse.z, read_around), coarse.dx,
-                                                coarse.dy, refinement, pool),
-                            read_around * refinement - 1);
+    wide.z = without_margin(refined_with_brinks(with_margin(coarse.z, refinement_margin_cells),
+                                                coarse.dx, coarse.dy, refinement, pool),
+                            refinement_margin_cells * refinement - 1);
     wide.dx = coarse.dx / static_cast<float>(refinement);
     wide.dy = coarse.dy / static_cast<float>(refinement);
     RepeatedLight light;
@@ -214,7 +214,7 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
                            wide.dx, wide.dy, sun, pool);
     if (walls) {
         const Field<Edge> shaded = shaded_walls(walls->edges, coarse.z, coarse.dx, coarse.dy, sun);
-        sun_share = averaged_along(shaded, shade_averaged, sun_share, pool);
+        sun_share = averaged_along(shaded, shade_mean_cells, sun_share, pool);
     }
 
     LightShares shares{with_margin(sun_share, 1),
@@ -236,14 +236,15 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
                               no_shadow};
     const Field<float> wind = sun_over_tiles(light.z, wide, block.tiles, upwind, {});
     const Field<float> slid =
-        refined_around(slid_sand(coarse, snapshot, block.exaggeration), refinement, 0);
+        refined_around(avalanche_sand(coarse, snapshot, block.exaggeration), refinement, 0);
     light.surface.reserve(2 * wind.size());
     for (std::size_t i = 0; i < wind.size(); ++i) {
         light.surface.push_back(byte_of(wind.values()[i]));
         light.surface.push_back(byte_of(slid.values()[i]));
     }
-    light.slid = slid_cells(light.texels, light.surface, light.z.nx(), light.z.ny(),
-                            sliding_from * static_cast<float>(block.exaggeration), pool);
+    light.slid =
+        avalanche_cells(light.texels, light.surface, light.z.nx(), light.z.ny(),
+                        min_avalanche_slope * static_cast<float>(block.exaggeration), pool);
     return light;
 }
 

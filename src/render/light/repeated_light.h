@@ -5,7 +5,7 @@
 
 #include "base/grid.h"
 #include "base/snapshot_lookup.h"
-#include "render/light/slid_cells.h"
+#include "render/light/avalanche_cells.h"
 #include "render/light/sun_sweep.h"
 #include "render/view/block.h"
 #include "render/view/drawn_origin.h"
@@ -24,7 +24,7 @@ struct RepeatedLight {
     /// lies as it slid: on slopes near the angle of repose, heights without exaggeration, and a
     /// cell around them; where the bed is not in metres, in the lee of a wind alone.
     std::vector<std::uint8_t> surface;
-    SlidCells slid;
+    AvalancheCells slid;
     bool walls = false;  ///< whether there are walls of rock, see with_straight_walls()
 };
 

@@ -18,16 +18,17 @@ namespace fumon {
 namespace {
 
 /// Lines swept together: their cells lie side by side in memory (one cache line of floats).
-constexpr int bundle = 16;
+constexpr int lines_per_bundle = 16;
 
 /// Floats from one line of a bundle to the next: an odd number of cache lines, since caches have
 /// only few places for what lies powers of two apart.
 std::size_t line_stride(int length) {
-    return static_cast<std::size_t>(bundle) * static_cast<std::size_t>((length / bundle + 1) | 1);
+    return static_cast<std::size_t>(lines_per_bundle) *
+           static_cast<std::size_t>((length / lines_per_bundle + 1) | 1);
 }
 
 /// A family of parallel lattice lines that cross every row: x = first + shear·y.
-struct Family {
+struct LineFamily {
     int shear;
     float spacing;  ///< length between two cells of a line
     float weight;   ///< Δφ of one direction over 2π
@@ -35,18 +36,18 @@ struct Family {
 
 /// A place of a line's hull, in cells along it.
 struct HullPoint {
-    float place;
+    float position;
     float height;
 };
 
 /// Points that a new one may hide and that are all looked at, whether it does or not: which of them
 /// it hides no processor foresees on rough ground.
-constexpr int looked_at = 3;
+constexpr int hull_points_tested = 3;
 
 /// How many cells of a line are as high as its first one, in steps of `step`; 1 where that has no
 /// height.
 template <std::ptrdiff_t step>
-int level_cells(const float* z, int count) {
+int leading_level_cells(const float* z, int count) {
     int cells = 1;
     if (!std::isfinite(z[0])) return cells;
     while (cells < count && z[cells * step] == z[0]) ++cells;
@@ -71,9 +72,9 @@ struct Sweep {
         : z(z_),
           tangent(tangent_),
           count(count_),
-          next(level_cells<step>(z, count)),
-          last(count - level_cells<-step>(z + (count - 1) * step, count)),
-          bottom(hull.data() + looked_at),
+          next(leading_level_cells<step>(z, count)),
+          last(count - leading_level_cells<-step>(z + (count - 1) * step, count)),
+          bottom(hull.data() + hull_points_tested),
           top(bottom) {
         std::fill(hull.data(), bottom, HullPoint{-1.0F, -std::numeric_limits<float>::infinity()});
         *bottom = {0.0F, z[0]};
@@ -81,7 +82,7 @@ struct Sweep {
         if (next > 1) *++top = {static_cast<float>(next - 1), z[(next - 1) * step]};
     }
 
-    [[nodiscard]] int left() const { return last + 1 - next; }  ///< cells before sweep_level()
+    [[nodiscard]] int left() const { return last + 1 - next; }  ///< cells before sweep_level_end()
 };
 
 /// Finds, for cell i of a line that is taken in steps of `step`, the tangent of the horizon's
@@ -90,44 +91,45 @@ template <std::ptrdiff_t step>
 inline void sweep_cell(Sweep<step>& sweep) {
     const int i = sweep.next++;
     const float here = sweep.z[i * step];
-    const auto place = static_cast<float>(i);
-    std::array<float, looked_at + 1> rise{};
-    std::array<float, looked_at + 1> run{};
-    for (std::size_t k = 0; k <= looked_at; ++k) {
+    const auto position = static_cast<float>(i);
+    std::array<float, hull_points_tested + 1> rise{};
+    std::array<float, hull_points_tested + 1> run{};
+    for (std::size_t k = 0; k <= hull_points_tested; ++k) {
         const HullPoint& point = *(sweep.top - k);
         rise[k] = point.height - here;
-        run[k] = place - point.place;
+        run[k] = position - point.position;
     }
     unsigned all_hidden = 1;
     std::ptrdiff_t hidden = 0;
-    for (std::size_t k = 0; k < looked_at; ++k) {
+    for (std::size_t k = 0; k < hull_points_tested; ++k) {
         all_hidden &= static_cast<unsigned>(rise[k + 1] * run[k] >= rise[k] * run[k + 1]);
         hidden += all_hidden;
     }
     HullPoint* top = std::max(sweep.top - hidden, sweep.bottom);
     if (all_hidden != 0) [[unlikely]] {
-        while (top != sweep.bottom && (top[-1].height - here) * (place - top->place) >=
-                                          (top->height - here) * (place - top[-1].place))
+        while (top != sweep.bottom && (top[-1].height - here) * (position - top->position) >=
+                                          (top->height - here) * (position - top[-1].position))
             --top;
     }
-    sweep.tangent[i * step] = (top->height - here) / (place - top->place);
-    *++top = {place, here};
+    sweep.tangent[i * step] = (top->height - here) / (position - top->position);
+    *++top = {position, here};
     sweep.top = top;
 }
 
 /// The same for the level cells that are left, the first of which is swept and lies on the hull.
 template <std::ptrdiff_t step>
-void sweep_level(const Sweep<step>& sweep) {
+void sweep_level_end(const Sweep<step>& sweep) {
     const float here = sweep.z[sweep.last * step];
     const HullPoint* top = sweep.top - 1;
     const bool horizon = top->height - here >= 0.0F;
     for (int i = sweep.next; i < sweep.count; ++i) {
-        const auto place = static_cast<float>(i);
+        const auto position = static_cast<float>(i);
         while (horizon && top != sweep.bottom &&
-               (top[-1].height - here) * (place - top->place) >=
-                   (top->height - here) * (place - top[-1].place))
+               (top[-1].height - here) * (position - top->position) >=
+                   (top->height - here) * (position - top[-1].position))
             --top;
-        sweep.tangent[i * step] = horizon ? (top->height - here) / (place - top->place) : 0.0F;
+        sweep.tangent[i * step] =
+            horizon ? (top->height - here) / (position - top->position) : 0.0F;
     }
 }
 
@@ -136,7 +138,7 @@ bool is_flat(const float* z, int count) {
 }
 
 /// Cells from `begin` on, up to the one before `end`.
-struct Stretch {
+struct CellRange {
     int begin = 0;
     int end = 0;
 };
@@ -153,7 +155,7 @@ class LineSweeps {
     [[nodiscard]] float* heights() { return lines_[waiting_].heights.data() + 1; }
 
     /// Adds a line; `sum` gets the sky of its cells within `wanted`, at the latest by finish().
-    void add(int count, const Stretch& wanted, float* sum) {
+    void add(int count, const CellRange& wanted, float* sum) {
         float* z = heights();
         if (is_flat(z, count)) {
             const float whole = weight_ * 2.0F;  // what the sweeps would find, to the bit
@@ -202,7 +204,7 @@ class LineSweeps {
             : heights(static_cast<std::size_t>(length) + 2),
               back(static_cast<std::size_t>(length)),
               ahead(static_cast<std::size_t>(length)),
-              hull_behind(static_cast<std::size_t>(length + looked_at)),
+              hull_behind(static_cast<std::size_t>(length + hull_points_tested)),
               hull_ahead(hull_behind.size()) {}
         [[nodiscard]] Sweep<1> sweep_back() {
             return {heights.data() + 1, back.data(), count, hull_behind};
@@ -217,7 +219,7 @@ class LineSweeps {
         std::vector<HullPoint> hull_behind;
         std::vector<HullPoint> hull_ahead;
         int count = 0;
-        Stretch wanted;
+        CellRange wanted;
         float* sum = nullptr;
     };
 
@@ -228,8 +230,8 @@ class LineSweeps {
         }
         while (back.left() > 0) sweep_cell(back);
         while (ahead.left() > 0) sweep_cell(ahead);
-        sweep_level(back);
-        sweep_level(ahead);
+        sweep_level_end(back);
+        sweep_level_end(ahead);
     }
 
     void add_sky(const Line& line) const {
@@ -246,7 +248,7 @@ class LineSweeps {
 };
 
 void sweep_rows(const Field<float>& heights, int margin, float spacing, float weight,
-                Field<float>& sum, const Stretch& rows) {
+                Field<float>& sum, const CellRange& rows) {
     const int nx = heights.nx();
     LineSweeps sweeps(nx, spacing, weight);
     for (int y = rows.begin; y < rows.end; ++y) {
@@ -257,17 +259,17 @@ void sweep_rows(const Field<float>& heights, int margin, float spacing, float we
 }
 
 /// The rows in which the line through column x of row 0 lies within a margin.
-Stretch rows_within(const Field<float>& heights, int margin, int shear, int x) {
+CellRange rows_within(const Field<float>& heights, int margin, int shear, int x) {
     const int nx = heights.nx();
-    const Stretch rows{margin, heights.ny() - margin};
+    const CellRange rows{margin, heights.ny() - margin};
     if (shear > 0) return {std::max(rows.begin, margin - x), std::min(rows.end, nx - margin - x)};
     if (shear < 0)
         return {std::max(rows.begin, x - nx + margin + 1), std::min(rows.end, x - margin + 1)};
-    return x >= margin && x < nx - margin ? rows : Stretch{};
+    return x >= margin && x < nx - margin ? rows : CellRange{};
 }
 
 /// Sweeps `bundle` neighbouring lines, the first through column `first` of row 0.
-void sweep_bundle(const Field<float>& heights, int margin, const Family& family, int first,
+void sweep_bundle(const Field<float>& heights, int margin, const LineFamily& family, int first,
                   LineSweeps& sweeps, std::vector<float>& lines, std::vector<float>& sums,
                   Field<float>& sum) {
     const int nx = heights.nx();
@@ -275,7 +277,8 @@ void sweep_bundle(const Field<float>& heights, int margin, const Family& family,
     const std::size_t stride = line_stride(ny);
     const auto columns = [&](int y) {
         const int x0 = first + family.shear * y;
-        return std::array<int, 3>{x0, std::clamp(-x0, 0, bundle), std::clamp(nx - x0, 0, bundle)};
+        return std::array<int, 3>{x0, std::clamp(-x0, 0, lines_per_bundle),
+                                  std::clamp(nx - x0, 0, lines_per_bundle)};
     };
     for (int y = 0; y < ny; ++y) {
         const auto [x0, begin, end] = columns(y);
@@ -284,10 +287,10 @@ void sweep_bundle(const Field<float>& heights, int margin, const Family& family,
             lines[static_cast<std::size_t>(lane) * stride + static_cast<std::size_t>(y)] =
                 row[lane];
     }
-    for (int lane = 0; lane < bundle; ++lane) {
+    for (int lane = 0; lane < lines_per_bundle; ++lane) {
         const int x = first + lane;  // at row 0; the rows with 0 ≤ x + shear·y < nx belong to it
         const auto [begin, end] = rows_within(heights, 0, family.shear, x);
-        const Stretch wanted = rows_within(heights, margin, family.shear, x);
+        const CellRange wanted = rows_within(heights, margin, family.shear, x);
         if (wanted.begin >= wanted.end) continue;
         const float* line = lines.data() + static_cast<std::size_t>(lane) * stride;
         float* line_sum = sums.data() + static_cast<std::size_t>(lane) * stride;
@@ -305,8 +308,8 @@ void sweep_bundle(const Field<float>& heights, int margin, const Family& family,
     }
 }
 
-void sweep_family(const Field<float>& heights, int margin, const Family& family, Field<float>& sum,
-                  WorkerPool& pool) {
+void sweep_family(const Field<float>& heights, int margin, const LineFamily& family,
+                  Field<float>& sum, WorkerPool& pool) {
     const int ny = heights.ny();
     const int last_row = ny - margin - 1;
     const int first = margin - (family.shear > 0 ? last_row : family.shear < 0 ? -margin : 0);
@@ -314,13 +317,14 @@ void sweep_family(const Field<float>& heights, int margin, const Family& family,
                      (family.shear < 0   ? last_row
                       : family.shear > 0 ? -margin
                                          : 0);
-    const int bundles = (last - first + bundle) / bundle;
+    const int bundles = (last - first + lines_per_bundle) / lines_per_bundle;
     pool.for_ranges(bundles, [&](int begin, int end) {
         LineSweeps sweeps(ny, family.spacing, family.weight);
-        std::vector<float> lines(static_cast<std::size_t>(bundle) * line_stride(ny));
+        std::vector<float> lines(static_cast<std::size_t>(lines_per_bundle) * line_stride(ny));
         std::vector<float> sums(lines.size());
         for (int i = begin; i < end; ++i)
-            sweep_bundle(heights, margin, family, first + i * bundle, sweeps, lines, sums, sum);
+            sweep_bundle(heights, margin, family, first + i * lines_per_bundle, sweeps, lines, sums,
+                         sum);
     });
 }
 

@@ -37,9 +37,9 @@ Field<Number> transposed(const Field<Number>& field) {
 struct RowShadow {
     explicit RowShadow(std::size_t size)
         : lower(size), lower_width(size), upper(size), upper_width(size) {}
-    [[nodiscard]] light_vectors::Shadow from(std::size_t place) {
-        return {lower.data() + place, lower_width.data() + place, upper.data() + place,
-                upper_width.data() + place};
+    [[nodiscard]] light_vectors::Shadow from(std::size_t position) {
+        return {lower.data() + position, lower_width.data() + position, upper.data() + position,
+                upper_width.data() + position};
     }
     std::vector<float> lower;
     std::vector<float> lower_width;
@@ -143,8 +143,8 @@ Field<float> sun_visibility(const Field<float>& heights, float dx, float dy,
                             LatticeBorder border) {
     if (std::abs(sun.north) / dy >= std::abs(sun.east) / dx)
         return sweep_rows(heights, dx, dy, sun, bounds, border);
-    const SunDirection turned{sun.north, sun.east, sun.lower_limb, sun.upper_limb};
-    return transposed(sweep_rows(transposed(heights), dy, dx, turned, bounds, border));
+    const SunDirection rotated{sun.north, sun.east, sun.lower_limb, sun.upper_limb};
+    return transposed(sweep_rows(transposed(heights), dy, dx, rotated, bounds, border));
 }
 
 }  // namespace fumon

@@ -9,7 +9,7 @@
 
 #include "base/whole_number.h"
 #include "base/worker_pool.h"
-#include "render/view/drawn_height.h"
+#include "render/view/bilinear_height.h"
 
 namespace fumon {
 
@@ -92,21 +92,22 @@ glm::dvec3 SurfacePositionLayers::surface_normal(const glm::dvec2& share) const 
     return glm::normalize(glm::dvec3(-mean, 1.0));
 }
 
-glm::dvec3 SurfacePositionLayers::copy_normal(const glm::dvec2& place) const {
+glm::dvec3 SurfacePositionLayers::copy_normal(const glm::dvec2& position) const {
     const glm::dvec2 extent(ground_.ground.width_x, ground_.ground.width_y);
-    const glm::dvec2 share = ground_.copies.shown_at(place) / extent + 0.5;
+    const glm::dvec2 share = ground_.copies.bed_position_at(position) / extent + 0.5;
     const glm::dvec2 on_bed = share - glm::floor(share);
     const glm::dvec3 normal = surface_normal(on_bed);
-    const auto z = static_cast<double>(drawn_height(ground_.surface, on_bed, true));
+    const auto z = static_cast<double>(bilinear_height(ground_.surface, on_bed, true));
     const glm::dvec2 slope =
-        ground_.copies.slope(ground_.copies.at(place), -glm::dvec2(normal) / normal.z, z);
+        ground_.copies.slope(ground_.copies.at(position), -glm::dvec2(normal) / normal.z, z);
     return glm::normalize(glm::dvec3(-slope, 1.0));
 }
 
-SurfacePositionLayers::Seen SurfacePositionLayers::seen_at(int x, int y, const float* texel) const {
+SurfacePositionLayers::SurfacePoint SurfacePositionLayers::surface_point_at(
+    int x, int y, const float* texel) const {
     const Camera& camera = ground_.camera;
     const Block& block = ground_.block;
-    Seen seen;
+    SurfacePoint seen;
     const glm::dvec3 point(texel[0], texel[1], texel[2]);
     if (texel[3] != 0.0F || point != glm::dvec3(0.0)) {
         seen.anything = true;
@@ -146,7 +147,7 @@ bool SurfacePositionLayers::beside_bed(double east, double north) const {
            nodata(static_cast<int>(east * nodata.nx()), static_cast<int>(north * nodata.ny())) != 0;
 }
 
-void SurfacePositionLayers::put(std::size_t pixel, const Seen& seen) {
+void SurfacePositionLayers::put(std::size_t pixel, const SurfacePoint& seen) {
     const Block& block = ground_.block;
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
     const auto set = [&](std::size_t layer, double value) {
@@ -173,9 +174,9 @@ void SurfacePositionLayers::put(std::size_t pixel, const Seen& seen) {
         float& value = layers_[first_field + k].values[pixel];
         value = none;
         if (!seen.bed) continue;
-        const GroundCopy copy = ground_.copies.at(glm::dvec2(seen.point));
-        double east = position.x / block.width_x + copy.aside.x;
-        double north = position.y / block.width_y + copy.aside.y;
+        const WarpedGround copy = ground_.copies.at(glm::dvec2(seen.point));
+        double east = position.x / block.width_x + copy.offset.x;
+        double north = position.y / block.width_y + copy.offset.y;
         const bool plain = ground_.ground.tiles.plain;
         if (ground_.endless && !plain) {
             east = within_one(east);
@@ -200,7 +201,7 @@ void SurfacePositionLayers::add(const Tile& tile, const std::vector<float>& seen
                 const std::size_t pixel =
                     static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                     static_cast<std::size_t>(x);
-                put(pixel, seen_at(x, y, texel));
+                put(pixel, surface_point_at(x, y, texel));
             }
         }
     });

@@ -9,7 +9,7 @@
 #include "base/snapshot.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
-#include "render/view/far_copies.h"
+#include "render/view/tile_warp.h"
 #include "render/view/tiles.h"
 
 namespace fumon {
@@ -23,7 +23,7 @@ struct DrawnGround {
     Block ground;  ///< of endless ground's maps, else the same
     const Camera& camera;
     Field<float> surface;  ///< as it is drawn, water included, block lengths
-    FarCopies copies;      ///< of endless ground
+    TileWarp copies;       ///< of endless ground
     bool endless = false;  ///< repeated to the horizon; points are then offsets from the eye
     bool plain = false;    ///< whether a plain lies around the block's foot
 };
@@ -40,25 +40,25 @@ class SurfacePositionLayers {
   public:
     SurfacePositionLayers(int width, int height, DrawnGround ground);
 
-    /// `seen`: what position/position.frag.glsl or world/world_visibility.frag.glsl wrote of a
-    /// tile, the lowest row first.
+    /// `visibility`: what position/position.frag.glsl or world/world_visibility.frag.glsl wrote of
+    /// a tile, the lowest row first.
     void add(const Tile& tile, const std::vector<float>& seen, WorkerPool& pool);
 
     [[nodiscard]] std::vector<ImageLayer> take() { return std::move(layers_); }
 
   private:
-    struct Seen {
+    struct SurfacePoint {
         bool anything = false;
         bool bed = false;
         glm::dvec3 point{0.0};
         glm::dvec3 normal{0.0};
     };
-    [[nodiscard]] Seen seen_at(int x, int y, const float* texel) const;
+    [[nodiscard]] SurfacePoint surface_point_at(int x, int y, const float* texel) const;
     [[nodiscard]] glm::dvec3 surface_normal(const glm::dvec2& share) const;
     /// The same of a far copy at a place from the bed's middle.
-    [[nodiscard]] glm::dvec3 copy_normal(const glm::dvec2& place) const;
+    [[nodiscard]] glm::dvec3 copy_normal(const glm::dvec2& position) const;
     [[nodiscard]] bool beside_bed(double east, double north) const;
-    void put(std::size_t pixel, const Seen& seen);
+    void put(std::size_t pixel, const SurfacePoint& seen);
 
     int width_;
     int height_;

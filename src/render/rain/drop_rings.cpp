@@ -15,22 +15,22 @@ namespace fumon {
 namespace {
 
 // Drops fall in slots of time, of a length that is exact in binary.
-constexpr double slot = 0.125;  // s
-constexpr int slots_seen = 7;   // that reach into ring_life
+constexpr double slot = 0.125;         // s
+constexpr int slots_per_lifetime = 7;  // that reach into ring_lifetime_s
 
-constexpr double seen_drops = 3.3;       // per m² and s, for each mm/h
-constexpr double heaviest_rain = 200.0;  // mm/h: beyond it there is no room between rings
+constexpr double visible_drops_per_mm = 3.3;  // per m² and s, for each mm/h
+constexpr double heaviest_rain = 200.0;       // mm/h: beyond it there is no room between rings
 
 // A group of waves of capillarity and gravity. The slowest of them, 17 mm long, go 0.23 m/s; those
 // ahead and behind draw the group out.
-constexpr double wave_length = 0.022;   // m
-constexpr double ring_speed = 0.23;     // m/s
-constexpr double first_width = 0.009;   // m, half of the group
-constexpr double width_growth = 0.030;  // m/s
-constexpr double steepness = 0.75;      // where it starts
-constexpr double damping = 0.40;        // s
-constexpr double spread_from = 0.020;   // m: beyond it a ring lowers as it widens
-constexpr double widths_drawn = 2.2;    // to each side of the crest
+constexpr double ring_wavelength_m = 0.022;     // m
+constexpr double ring_speed_m_per_s = 0.23;     // m/s
+constexpr double initial_width_m = 0.009;       // m, half of the group
+constexpr double width_growth_m_per_s = 0.030;  // m/s
+constexpr double steepness = 0.75;              // where it starts
+constexpr double damping_time_s = 0.40;         // s
+constexpr double spreading_radius_m = 0.020;    // m: beyond it a ring lowers as it widens
+constexpr double widths_drawn = 2.2;            // to each side of the crest
 constexpr double two_pi = 6.283185307179586;
 
 constexpr int profile_points = 256;
@@ -41,26 +41,27 @@ struct RingProfile {
     std::array<float, profile_points + 1> slope{};
 
     explicit RingProfile(const FallenDrop& drop) {
-        const double radius = ring_speed * drop.age;
-        const double width = first_width + width_growth * drop.age;
+        const double radius = ring_speed_m_per_s * drop.age;
+        const double width = initial_width_m + width_growth_m_per_s * drop.age;
         reach = radius + widths_drawn * width;
-        const double left = 1.0 - drop.age / ring_life;
-        const double height = steepness * drop.size * left * elementary::exp(-drop.age / damping) *
-                              std::sqrt(spread_from / std::max(spread_from, radius));
+        const double left = 1.0 - drop.age / ring_lifetime_s;
+        const double height = steepness * drop.size * left *
+                              elementary::exp(-drop.age / damping_time_s) *
+                              std::sqrt(spreading_radius_m / std::max(spreading_radius_m, radius));
         for (int i = 0; i < profile_points; ++i) {
             const double off = reach * i / profile_points - radius;
             const double group = elementary::exp(-(off / width) * (off / width));
-            slope[static_cast<std::size_t>(i)] =
-                static_cast<float>(height * group * elementary::cos(two_pi * off / wave_length));
+            slope[static_cast<std::size_t>(i)] = static_cast<float>(
+                height * group * elementary::cos(two_pi * off / ring_wavelength_m));
         }
     }
 
     [[nodiscard]] float at(float distance) const {
-        const float place = distance * static_cast<float>(profile_points / reach);
-        const int before = static_cast<int>(place);
+        const float position = distance * static_cast<float>(profile_points / reach);
+        const int before = static_cast<int>(position);
         if (before >= profile_points) return 0.0F;
         const auto i = static_cast<std::size_t>(before);
-        return slope[i] + (place - static_cast<float>(before)) * (slope[i + 1] - slope[i]);
+        return slope[i] + (position - static_cast<float>(before)) * (slope[i + 1] - slope[i]);
     }
 };
 
@@ -71,7 +72,7 @@ struct Slopes {
 };
 
 void add_ring(const FallenDrop& drop, Slopes& slopes) {
-    constexpr double texel = ring_tile / ring_texels;
+    constexpr double texel = ring_tile_m / ring_texels;
     const RingProfile profile(drop);
     const int low_x = static_cast<int>(std::floor((drop.x - profile.reach) / texel));
     const int low_y = static_cast<int>(std::floor((drop.y - profile.reach) / texel));
@@ -104,8 +105,8 @@ std::uint8_t byte_of(float share) {
 }
 
 std::vector<std::uint8_t> finest_level(const Slopes& slopes) {
-    constexpr auto to_half = static_cast<float>(0.5 / steepest_ring);
-    constexpr auto to_whole = static_cast<float>(1.0 / roughest_ring);
+    constexpr auto to_half = static_cast<float>(0.5 / max_ring_slope);
+    constexpr auto to_whole = static_cast<float>(1.0 / max_ring_mean_square_slope);
     std::vector<std::uint8_t> bytes;
     bytes.reserve(4 * slopes.x.size());
     for (std::size_t i = 0; i < slopes.x.size(); ++i) {
@@ -118,7 +119,7 @@ std::vector<std::uint8_t> finest_level(const Slopes& slopes) {
 }
 
 /// The means of four texels each, of a square.
-std::vector<std::uint8_t> halved(const std::vector<std::uint8_t>& finer, std::size_t side) {
+std::vector<std::uint8_t> downsampled(const std::vector<std::uint8_t>& finer, std::size_t side) {
     std::vector<std::uint8_t> bytes(finer.size() / 4);
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         const std::size_t row = i / (2 * side);
@@ -132,25 +133,25 @@ std::vector<std::uint8_t> halved(const std::vector<std::uint8_t>& finer, std::si
 
 }  // namespace
 
-double ring_drops(double rate) {
-    return seen_drops * std::min(rate, heaviest_rain);
+double ring_drop_rate(double rate) {
+    return visible_drops_per_mm * std::min(rate, heaviest_rain);
 }
 
 std::vector<FallenDrop> fallen_drops(double time, double rate) {
     constexpr std::uint64_t any_seed = 1;
-    const double a_slot = ring_drops(rate) / ring_layers * ring_tile * ring_tile * slot;
+    const double a_slot = ring_drop_rate(rate) / ring_layers * ring_tile_m * ring_tile_m * slot;
     const auto last = std::int64_t{whole_of(std::floor(time / slot))};
     std::vector<FallenDrop> drops;
-    for (std::int64_t number = last - slots_seen; number <= last; ++number) {
+    for (std::int64_t number = last - slots_per_lifetime; number <= last; ++number) {
         RandomStream stream(any_seed, 0, number, Purpose::raindrops);
         const int count = static_cast<int>(a_slot + stream.uniform());
         for (int i = 0; i < count; ++i) {
             FallenDrop drop{};
-            drop.x = ring_tile * stream.uniform();
-            drop.y = ring_tile * stream.uniform();
+            drop.x = ring_tile_m * stream.uniform();
+            drop.y = ring_tile_m * stream.uniform();
             drop.age = time - (static_cast<double>(number) + stream.uniform()) * slot;
             drop.size = 0.5 + stream.uniform();
-            if (drop.age >= 0.0 && drop.age < ring_life) drops.push_back(drop);
+            if (drop.age >= 0.0 && drop.age < ring_lifetime_s) drops.push_back(drop);
         }
     }
     return drops;
@@ -159,7 +160,7 @@ std::vector<FallenDrop> fallen_drops(double time, double rate) {
 std::vector<std::vector<std::uint8_t>> ring_tile_levels(double time, double rate) {
     std::vector<std::vector<std::uint8_t>> levels{finest_level(rings_on_tile(time, rate))};
     for (int side = ring_texels; side > 1; side /= 2)
-        levels.push_back(halved(levels.back(), static_cast<std::size_t>(side)));
+        levels.push_back(downsampled(levels.back(), static_cast<std::size_t>(side)));
     return levels;
 }
 

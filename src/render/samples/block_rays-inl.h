@@ -21,7 +21,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Where the samples of a row of pixels see something, 0 … 1 along an axis of the block.
 template <class Real>
-HWY_INLINE Real place_of(const Rays& rays, Real column, Real depth) {
+HWY_INLINE Real position_at(const Rays& rays, Real column, Real depth) {
     const hn::ScalableTag<float> d;
     const auto origin = hn::Set(d, rays.origin) + hn::Set(d, rays.origin_by_column) * column;
     const auto direction =
@@ -34,11 +34,11 @@ template <class Word>
 HWY_INLINE auto depth_of(const Depths& depths, Word sample) {
     const hn::ScalableTag<float> d;
     const hn::ScalableTag<std::uint32_t> words;
-    const auto low = hn::Set(words, triangle_vectors::kind_bits);
-    const auto nearness = hn::BitCast(d, hn::AndNot(low, sample));
+    const auto low = hn::Set(words, rasteriser_vectors::kind_bits);
+    const auto reversed_z = hn::BitCast(d, hn::AndNot(low, sample));
     return depths.perspective
-               ? hn::Set(d, depths.numerator) / nearness
-               : hn::Set(d, depths.first) + hn::Set(d, depths.by_nearness) * nearness;
+               ? hn::Set(d, depths.numerator) / reversed_z
+               : hn::Set(d, depths.first) + hn::Set(d, depths.by_reversed_z) * reversed_z;
 }
 
 /// The columns of the left samples of pixels from one on.

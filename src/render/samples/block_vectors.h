@@ -4,35 +4,36 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/samples/triangle_vectors.h"
+#include "render/samples/rasteriser_vectors.h"
 
 namespace fumon::block_vectors {
 
 constexpr std::uint32_t surface_kind = 1;  ///< those above are the block's sides; 0: nothing
 
 /// A linear function of a place (0 … 1 east and north over the block) and a height.
-struct Linear {
+struct AffineFunction {
     double east;
     double north;
     double height;
     double constant;
 };
 
-/// Where points stand in the picture: x, y and nearness, all of them over `depth`.
-struct Placed {
-    Linear x;
-    Linear y;
-    Linear nearness;
-    Linear depth;
+/// Where points stand in the picture: x, y and reversed z, all of them over `depth`.
+struct VertexProjection {
+    AffineFunction x;
+    AffineFunction y;
+    AffineFunction reversed_z;
+    AffineFunction depth;
     double least_depth;
 };
 
 /// Sets corners first … first + count − 1 from places (east and north by turns) and heights. Those
-/// nearer than least_depth, or farther aside than farthest_place, get no place: nearness 0.
-void place_corners(const Placed& placed, const float* places, const float* heights,
-                   std::size_t count, triangle_vectors::Corners& corners, std::size_t first);
+/// nearer than least_depth, or farther aside than guard_band, get no place: reversed_z 0.
+void project_vertices(const VertexProjection& projection, const float* positions,
+                      const float* heights, std::size_t count,
+                      rasteriser_vectors::ProjectedVertices& vertices, std::size_t first);
 
-/// How places of a row of samples follow from their nearness: origin + t · direction, both linear
+/// How places of a row of samples follow from their reversed z: origin + t · direction, both linear
 /// in the column's middle.
 struct Rays {
     float origin;
@@ -41,17 +42,17 @@ struct Rays {
     float direction_by_column;
 };
 
-/// t = numerator / nearness, or, without perspective, first + nearness · by_nearness.
+/// t = numerator / reversed_z, or, without perspective, first + reversed_z · by_reversed_z.
 struct Depths {
     bool perspective;
     float numerator;
     float first;
-    float by_nearness;
+    float by_reversed_z;
 };
 
 /// The block's surface: display values and how much of the grain is seen (RGBA, a byte each, red in
 /// the lowest), and the grain, as packed_grain() has it.
-struct Surface {
+struct SurfaceTexture {
     const std::uint32_t* texels;
     int width;
     int height;
@@ -62,15 +63,15 @@ struct Surface {
 };
 
 /// What becomes of a pixel.
-enum Pixel : std::uint8_t {
-    nothing_seen = 0,  ///< by none of its samples
+enum PixelState : std::uint8_t {
+    uncovered = 0,  ///< by none of its samples
     // 2 …: a side's kind, which all of them see
-    mixed = 254,    ///< several things
-    finished = 255  ///< it sees the surface alone
+    mixed = 254,        ///< several things
+    surface_only = 255  ///< it sees the surface alone
 };
 
 /// Pixels whose samples are coloured one by one.
-struct Edges {
+struct EdgePixels {
     static constexpr int samples = 4;  ///< south-west, south-east, north-west, north-east
     std::size_t count = 0;
     std::vector<std::int32_t> pixel;
@@ -79,7 +80,7 @@ struct Edges {
     std::vector<float> north[samples];
     std::vector<std::uint32_t> sums[3];  ///< of squares of bytes, over samples of the surface
 
-    void make_room(int pixels);
+    void allocate(int pixels);
 };
 
 struct PixelRow {
@@ -102,8 +103,8 @@ struct PixelPlanes {
 
 /// Colours the pixels whose samples see the surface close together by one look halfway between
 /// them, and lists those that see it otherwise, as edges, whose sums it finds.
-void colour_row(const PixelRow& row, const Surface& surface, const PixelPlanes& planes,
-                Edges& edges);
+void shade_row(const PixelRow& row, const SurfaceTexture& surface, const PixelPlanes& planes,
+               EdgePixels& edges);
 
 /// The grain with its three mipmaps, one after the other: in each number a texel and those east,
 /// north and north-east of it, a byte each.

@@ -27,26 +27,26 @@ PackedSamples::PackedSamples(int factor)
       first_samples_(most) {}
 
 void PackedSamples::read_pixels(const Tile& tile, const glm::ivec2& first,
-                                const PixelKinds& kinds) {
+                                const PixelClasses& kinds) {
     width_ = tile.width;
     first_ = first;
     pixels_.resize(static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height));
     gl::functions().ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV,
                                pixels_.data());
-    for (Edges& edges : edges_) edges.pixels.clear();
+    for (EdgePixels& edges : edges_) edges.pixels.clear();
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
         const std::uint32_t kind = kinds.numbers()[i];
-        if (kind >= pixel_vectors::first_whole) continue;
+        if (kind >= pixel_class_vectors::first_single_surface) continue;
         pixels_[i] = 0;
         const auto number = static_cast<std::uint32_t>(i);
-        if ((kind & pixel_vectors::near_samples) != 0) edges_[0].pixels.push_back(number);
-        if ((kind & pixel_vectors::far_samples) != 0) edges_[1].pixels.push_back(number);
+        if ((kind & pixel_class_vectors::near_samples) != 0) edges_[0].pixels.push_back(number);
+        if ((kind & pixel_class_vectors::far_samples) != 0) edges_[1].pixels.push_back(number);
     }
 }
 
 void PackedSamples::colour(Ground ground,
                            const std::function<void(const gl::Texture2D& listed)>& draw) {
-    Edges& edges = edges_[ground == Ground::near ? 0 : 1];
+    EdgePixels& edges = edges_[ground == Ground::near ? 0 : 1];
     const auto factor = static_cast<std::size_t>(factor_);
     const std::size_t length = columns * factor;
     edges.samples.resize(edges.pixels.size() * factor * factor);
@@ -74,7 +74,7 @@ void PackedSamples::colour(Ground ground,
     }
 }
 
-void PackedSamples::put_row(int y, std::uint32_t* samples) const {
+void PackedSamples::write_row(int y, std::uint32_t* samples) const {
     const auto factor = static_cast<std::size_t>(factor_);
     const auto width = static_cast<std::size_t>(width_);
     const std::size_t length = width * factor;
@@ -82,7 +82,7 @@ void PackedSamples::put_row(int y, std::uint32_t* samples) const {
     for (std::size_t x = 0; x < width; ++x)
         std::fill_n(samples + factor * x, factor, pixels_[first + x]);
     for (std::size_t j = 1; j < factor; ++j) std::copy_n(samples, length, samples + j * length);
-    for (const Edges& edges : edges_) {
+    for (const EdgePixels& edges : edges_) {
         const auto begin =
             std::ranges::lower_bound(edges.pixels, static_cast<std::uint32_t>(first));
         for (auto edge = begin; edge != edges.pixels.end() && *edge < first + width; ++edge) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gl/texture.h"
-#include "render/samples/pixel_kinds.h"
+#include "render/samples/pixel_classes.h"
 #include "render/view/tiles.h"
 
 namespace fumon {
@@ -22,7 +22,7 @@ class PackedSamples {
 
     /// Reads the bound target as WorldLayer::shade_pixels() left it, whose first pixel has the
     /// sample `first` at its lower left.
-    void read_pixels(const Tile& tile, const glm::ivec2& first, const PixelKinds& kinds);
+    void read_pixels(const Tile& tile, const glm::ivec2& first, const PixelClasses& kinds);
 
     /// Which ground is coloured.
     enum class Ground { near, far };
@@ -32,11 +32,11 @@ class PackedSamples {
 
     /// The samples of a row of pixels (the lowest is 0), `factor` rows of them from the lowest on;
     /// 0 where no ground is seen, else alpha, in the highest byte, is 255.
-    void put_row(int y, std::uint32_t* samples) const;
+    void write_row(int y, std::uint32_t* samples) const;
 
   private:
     /// Of one ground: pixels in the order of their rows, and factor² samples of each.
-    struct Edges {
+    struct EdgePixels {
         std::vector<std::uint32_t> pixels;  // y · width + x
         std::vector<std::uint32_t> samples;
     };
@@ -45,7 +45,7 @@ class PackedSamples {
     int width_ = 0;
     glm::ivec2 first_{0};
     std::vector<std::uint32_t> pixels_;  // colours of whole pixels, rows upward; 0: others
-    std::array<Edges, 2> edges_;
+    std::array<EdgePixels, 2> edges_;
     gl::Texture2D listed_;
     gl::RenderTarget target_;
     std::vector<glm::vec2> first_samples_;    // as listed

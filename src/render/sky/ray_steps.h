@@ -12,14 +12,14 @@ inline glm::dvec3 exp_of(const glm::dvec3& x) {
 }
 
 /// ∫ exp(−extinction·s) ds over a step, whose transmittance is known.
-inline glm::dvec3 length_seen(const glm::dvec3& extinction, const glm::dvec3& transmittance,
-                              double step) {
-    glm::dvec3 seen(step);
+inline glm::dvec3 effective_length(const glm::dvec3& extinction, const glm::dvec3& transmittance,
+                                   double step) {
+    glm::dvec3 transmitted(step);
     for (int band = 0; band < 3; ++band) {
         if (extinction[band] * step > 1e-6)
-            seen[band] = (1.0 - transmittance[band]) / extinction[band];
+            transmitted[band] = (1.0 - transmittance[band]) / extinction[band];
     }
-    return seen;
+    return transmitted;
 }
 
 /// A step along a ray.
@@ -38,18 +38,18 @@ inline RayStep growing_step(double distance, int number, int count) {
 }
 
 /// A step along a ray, and how much of the light that is scattered in it arrives.
-struct SeenStep {
+struct ScatteringStep {
     double middle;
     RayPoint point;
     AirOptics optics;
-    glm::dvec3 seen;  ///< over the extinction on the way, per scattering coefficient
+    glm::dvec3 transmitted;  ///< over the extinction on the way, per scattering coefficient
 };
 
 /// Walks along a ray of that length by growing steps and hands each to `use`; returns the share of
 /// light that passes all of it.
 template <class Use>
-glm::dvec3 walk(const Atmosphere& air, double radius, double up, double distance, int steps,
-                const Use& use) {
+glm::dvec3 march(const Atmosphere& air, double radius, double up, double distance, int steps,
+                 const Use& use) {
     glm::dvec3 passed(1.0);
     for (int i = 0; i < steps; ++i) {
         const auto [middle, length] = growing_step(distance, i, steps);
@@ -57,7 +57,8 @@ glm::dvec3 walk(const Atmosphere& air, double radius, double up, double distance
         const AirOptics optics = air.optics(point.radius - air.ground);
         const glm::dvec3 extinction = optics.extinction();
         const glm::dvec3 through = exp_of(-extinction * length);
-        use(SeenStep{middle, point, optics, passed * length_seen(extinction, through, length)});
+        use(ScatteringStep{middle, point, optics,
+                           passed * effective_length(extinction, through, length)});
         passed *= through;
     }
     return passed;

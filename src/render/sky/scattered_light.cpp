@@ -24,7 +24,7 @@ constexpr int kinds = 1 + band_count;      // of phase functions
 constexpr int steps_between = 20;          // from height to height
 constexpr int steps_to_eye = 32;
 constexpr int rounds = 6;
-constexpr int numbers_a_direction = band_count * height_count;
+constexpr int numbers_per_direction = band_count * height_count;
 constexpr double solid_angle = 2.0 / ups * half_turn / azimuths;
 
 std::size_t index_of(int number) {
@@ -41,7 +41,7 @@ double azimuth_of(int number) {
 
 /// Where a direction's numbers begin.
 std::size_t begin_of(int up, int azimuth) {
-    return index_of((up * azimuths + azimuth) * numbers_a_direction);
+    return index_of((up * azimuths + azimuth) * numbers_per_direction);
 }
 
 std::size_t phase_index(int to, int from, int difference) {
@@ -81,17 +81,17 @@ ScatteredLight::ScatteredLight(const AirTables& air, double sun_elevation)
     }
 }
 
-ScatteredLight::Place ScatteredLight::place_of(double height, double up) const {
-    Place place{};
-    while (place.height < height_count - 2 && heights_[index_of(place.height) + 1] < height)
-        ++place.height;
-    const double below = heights_[index_of(place.height)];
-    const double above = heights_[index_of(place.height) + 1];
-    place.height_share = std::clamp((height - below) / (above - below), 0.0, 1.0);
+ScatteredLight::GridPosition ScatteredLight::grid_position(double height, double up) const {
+    GridPosition position{};
+    while (position.height < height_count - 2 && heights_[index_of(position.height) + 1] < height)
+        ++position.height;
+    const double below = heights_[index_of(position.height)];
+    const double above = heights_[index_of(position.height) + 1];
+    position.height_share = std::clamp((height - below) / (above - below), 0.0, 1.0);
     const double along = std::clamp(0.5 * (up + 1.0) * ups - 0.5, 0.0, ups - 1.0);
-    place.up = std::min(static_cast<int>(along), ups - 2);
-    place.up_share = along - place.up;
-    return place;
+    position.up = std::min(static_cast<int>(along), ups - 2);
+    position.up_share = along - position.up;
+    return position;
 }
 
 double ScatteredLight::towards_sun(double up, double azimuth) const {
@@ -103,14 +103,14 @@ ScatteredLight::Path ScatteredLight::path_from(double radius, double up, int ste
     const Atmosphere& air = air_.air();
     const RayEnd end = end_of_ray(air, radius, up);
     Path path;
-    const auto add = [&](const SeenStep& step) {
+    const auto add = [&](const ScatteringStep& step) {
         const RayPoint& point = step.point;
-        path.steps.push_back({place_of(point.radius - air.ground, point.up), step.middle,
-                              point.radius, step.seen * step.optics.rayleigh,
-                              step.seen * step.optics.mie,
+        path.steps.push_back({grid_position(point.radius - air.ground, point.up), step.middle,
+                              point.radius, step.transmitted * step.optics.rayleigh,
+                              step.transmitted * step.optics.mie,
                               glm::max(air_.multiple_scattering(point.radius, sun_up_), 1e-12)});
     };
-    const glm::dvec3 passed = walk(air, radius, up, end.distance, steps, add);
+    const glm::dvec3 passed = march(air, radius, up, end.distance, steps, add);
     if (end.on_ground) path.from_ground = passed * air.ground_albedo;
     return path;
 }
@@ -156,14 +156,14 @@ ScatteredLight::Field ScatteredLight::arriving(const std::vector<Path>& paths, c
                 for (int band = 0; band < band_count; ++band) {
                     double sum = path.from_ground[band] * ground[band];
                     for (const PathStep& step : path.steps) {
-                        const auto row = index_of(band * height_count + step.place.height);
-                        const std::size_t low = begin_of(step.place.up, azimuth) + row;
-                        const std::size_t high = begin_of(step.place.up + 1, azimuth) + row;
+                        const auto row = index_of(band * height_count + step.position.height);
+                        const std::size_t low = begin_of(step.position.up, azimuth) + row;
+                        const std::size_t high = begin_of(step.position.up + 1, azimuth) + row;
                         const auto there = [&](const Field& field) {
                             return mixed(
-                                mixed(field[low], field[low + 1], step.place.height_share),
-                                mixed(field[high], field[high + 1], step.place.height_share),
-                                step.place.up_share);
+                                mixed(field[low], field[low + 1], step.position.height_share),
+                                mixed(field[high], field[high + 1], step.position.height_share),
+                                step.position.up_share);
                         };
                         sum += step.of_molecules[band] * there(by_molecules_) +
                                step.of_aerosol[band] * there(by_aerosol_);
@@ -227,7 +227,8 @@ void ScatteredLight::scatter(const Field& light) {
                     const double* other = &phases_[phase_index(to, from, i + j + 1)];
                     const double* comes = &light[begin_of(from, j)];
                     const double by_all = one[0] + other[0];
-                    for (int k = 0; k < numbers_a_direction; ++k) molecules[k] += by_all * comes[k];
+                    for (int k = 0; k < numbers_per_direction; ++k)
+                        molecules[k] += by_all * comes[k];
                     for (int band = 0; band < band_count; ++band) {
                         const double by_band = one[1 + band] + other[1 + band];
                         for (int k = band * height_count; k < (band + 1) * height_count; ++k)
@@ -260,16 +261,16 @@ std::vector<glm::dvec3> ScatteredLight::radiances(double radius, double up,
             const glm::dvec3 local =
                 glm::min(air_.multiple_scattering(step.radius, sun_there) / step.isotropic, 4.0);
             for (int band = 0; band < band_count; ++band) {
-                const auto row = index_of(band * height_count + step.place.height);
-                const std::size_t low = begin_of(step.place.up, nearest) + row;
-                const std::size_t high = begin_of(step.place.up + 1, nearest) + row;
+                const auto row = index_of(band * height_count + step.position.height);
+                const std::size_t low = begin_of(step.position.up, nearest) + row;
+                const std::size_t high = begin_of(step.position.up + 1, nearest) + row;
                 const auto there = [&](const Field& field) {
                     const auto at = [&](std::size_t i) {
-                        return mixed(field[i], field[i + 1], step.place.height_share);
+                        return mixed(field[i], field[i + 1], step.position.height_share);
                     };
-                    return mixed(mixed(at(low), at(low + numbers_a_direction), share),
-                                 mixed(at(high), at(high + numbers_a_direction), share),
-                                 step.place.up_share);
+                    return mixed(mixed(at(low), at(low + numbers_per_direction), share),
+                                 mixed(at(high), at(high + numbers_per_direction), share),
+                                 step.position.up_share);
                 };
                 light[band] += step.of_molecules[band] *
                                    (sun[band] * molecules + local[band] * there(by_molecules_)) +

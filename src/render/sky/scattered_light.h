@@ -27,7 +27,7 @@ class ScatteredLight {
     /// A number for each direction, band and height, the heights side by side.
     using Field = std::vector<double>;
     /// Where a point lies among the heights and directions up.
-    struct Place {
+    struct GridPosition {
         int height;
         int up;
         double height_share;
@@ -35,7 +35,7 @@ class ScatteredLight {
     };
     /// One step of a ray: where, and how much of the light scattered there arrives.
     struct PathStep {
-        Place place;
+        GridPosition position;
         double distance;
         double radius;
         glm::dvec3 of_molecules;
@@ -47,7 +47,7 @@ class ScatteredLight {
         glm::dvec3 from_ground{0.0};  // share of its light that arrives, times its reflectance
     };
 
-    [[nodiscard]] Place place_of(double height, double up) const;
+    [[nodiscard]] GridPosition grid_position(double height, double up) const;
     [[nodiscard]] double towards_sun(double up, double azimuth) const;
     [[nodiscard]] Path path_from(double radius, double up, int steps) const;
     [[nodiscard]] Field scattered_once(const std::vector<Path>& paths) const;

@@ -21,7 +21,7 @@ constexpr int transmittance_rows = 64;      // height
 constexpr int transmittance_steps = 80;
 constexpr int scattering_side = 32;
 constexpr int scattering_steps = 20;
-constexpr int directions_a_side = 8;
+constexpr int directions_per_side = 8;
 constexpr int sky_columns = 96;
 constexpr int sky_rows = 108;
 constexpr int radiance_steps = 32;
@@ -109,13 +109,13 @@ void AirTables::tabulate_multiple_scattering() {
             const double sun_across = std::sqrt(std::max(1.0 - sun_up * sun_up, 0.0));
             glm::dvec3 second(0.0);      // radiance scattered twice
             glm::dvec3 share_back(0.0);  // of light that leaves the point, what comes back to it
-            for (int i = 0; i < directions_a_side; ++i) {
-                const double up = 1.0 - 2.0 * (i + 0.5) / directions_a_side;
+            for (int i = 0; i < directions_per_side; ++i) {
+                const double up = 1.0 - 2.0 * (i + 0.5) / directions_per_side;
                 const double across = std::sqrt(1.0 - up * up);
                 const RayEnd end = end_of_ray(air_, radius, up);
                 const double step = end.distance / scattering_steps;
-                for (int j = 0; j < directions_a_side; ++j) {
-                    const double azimuth = 2.0 * pi * (j + 0.5) / directions_a_side;
+                for (int j = 0; j < directions_per_side; ++j) {
+                    const double azimuth = 2.0 * pi * (j + 0.5) / directions_per_side;
                     const double east = across * elementary::cos(azimuth);
                     glm::dvec3 passed(1.0);
                     for (int k = 0; k < scattering_steps; ++k) {
@@ -124,15 +124,16 @@ void AirTables::tabulate_multiple_scattering() {
                         const AirOptics optics = air_.optics(point.radius - air_.ground);
                         const glm::dvec3 extinction = optics.extinction();
                         const glm::dvec3 through = exp_of(-extinction * step);
-                        const glm::dvec3 seen =
-                            passed * length_seen(extinction, through, step) * optics.scattering();
+                        const glm::dvec3 transmitted = passed *
+                                                       effective_length(extinction, through, step) *
+                                                       optics.scattering();
                         // The sun's direction is the same all along the ray.
                         const double sun_there = std::clamp(
                             (radius * sun_up + distance * (up * sun_up + east * sun_across)) /
                                 point.radius,
                             -1.0, 1.0);
-                        second += seen * transmittance(point.radius, sun_there) * isotropic;
-                        share_back += seen;
+                        second += transmitted * transmittance(point.radius, sun_there) * isotropic;
+                        share_back += transmitted;
                         passed *= through;
                     }
                     if (end.on_ground) {
@@ -146,7 +147,7 @@ void AirTables::tabulate_multiple_scattering() {
                     }
                 }
             }
-            constexpr double directions = directions_a_side * directions_a_side;
+            constexpr double directions = directions_per_side * directions_per_side;
             multiple_scattering_.at(column, row) =
                 second / directions / (glm::dvec3(1.0) - share_back / directions);
         }
@@ -164,14 +165,14 @@ glm::dvec3 AirTables::radiance(double radius, double up, double sun_up, double t
     glm::dvec3 mie;
     for (int band = 0; band < 3; ++band) mie[band] = aerosol_phase(air_, band, towards_sun);
     glm::dvec3 light(0.0);
-    walk(air_, radius, up, end.distance, radiance_steps, [&](const SeenStep& step) {
+    march(air_, radius, up, end.distance, radiance_steps, [&](const ScatteringStep& step) {
         const double there = step.point.radius;
         const double sun_there =
             std::clamp((radius * sun_up + step.middle * towards_sun) / there, -1.0, 1.0);
         const glm::dvec3 once = transmittance(there, sun_there) *
                                 (step.optics.rayleigh * rayleigh + step.optics.mie * mie);
         const glm::dvec3 more = multiple_scattering(there, sun_there) * step.optics.scattering();
-        light += step.seen * (once + more);
+        light += step.transmitted * (once + more);
     });
     return light;
 }
@@ -194,14 +195,14 @@ SkyView::SkyView(const AirTables& air, double sun_elevation, double eye_height, 
         const double elevation = quarter_turn * root * root;
         const double up = elementary::sin(elevation);
         const double across = elementary::cos(elevation);
-        std::vector<glm::dvec3> seen;
-        if (followed) seen = followed->radiances(radius, up, from);
+        std::vector<glm::dvec3> radiances;
+        if (followed) radiances = followed->radiances(radius, up, from);
         for (int column = 0; column < sky_columns; ++column) {
             const auto number = static_cast<std::size_t>(column);
             const double towards_sun =
                 up * sun_up + across * sun_across * elementary::cos(from[number]);
             table_.at(column, row) =
-                followed ? seen[number]
+                followed ? radiances[number]
                          : air.radiance(radius, up, sun_up, std::clamp(towards_sun, -1.0, 1.0));
         }
     }
@@ -215,8 +216,9 @@ SkyView::SkyView(const AirTables& air, double sun_elevation, double eye_height, 
         const double solid_angle = level * (quarter_turn / elevations) * (pi / azimuths);
         for (int j = 0; j < azimuths; ++j) {
             const double azimuth = pi * (j + 0.5) / azimuths;
-            const Part part{level * elementary::cos(azimuth), level * elementary::sin(azimuth),
-                            elementary::sin(elevation), solid_angle * radiance(elevation, azimuth)};
+            const SkyPatch part{level * elementary::cos(azimuth), level * elementary::sin(azimuth),
+                                elementary::sin(elevation),
+                                solid_angle * radiance(elevation, azimuth)};
             const double facing_sun = part.toward_sun * sun_across + part.up * sun_up;
             if (aureole > 0.0 && facing_sun > within) {
                 aureole_ += 2.0 * facing_sun * part.light;  // of both halves
@@ -231,7 +233,7 @@ SkyView::SkyView(const AirTables& air, double sun_elevation, double eye_height, 
 glm::dvec3 SkyView::irradiance(double toward_sun, double up) const {
     const double across = std::sqrt(std::max(1.0 - toward_sun * toward_sun - up * up, 0.0));
     glm::dvec3 light(0.0);
-    for (const Part& part : parts_) {
+    for (const SkyPatch& part : parts_) {
         const double middle = toward_sun * part.toward_sun + up * part.up;
         const double aside = across * part.across;
         light += part.light * (std::max(middle + aside, 0.0) + std::max(middle - aside, 0.0));

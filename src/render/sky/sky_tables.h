@@ -96,7 +96,7 @@ class SkyView {
 
   private:
     /// Light of a part of the sky, on a surface that faces it.
-    struct Part {
+    struct SkyPatch {
         double toward_sun;
         double across;
         double up;
@@ -104,7 +104,7 @@ class SkyView {
     };
 
     LightTable table_;
-    std::vector<Part> parts_;  // of one half of the sky; the other is its mirror image
+    std::vector<SkyPatch> parts_;  // of one half of the sky; the other is its mirror image
     glm::dvec3 sun_{0.0};
     glm::dvec3 aureole_{0.0};
     glm::dvec3 level_irradiance_{0.0};

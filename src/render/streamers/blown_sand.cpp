@@ -9,16 +9,16 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "numerics/percentile.h"
-#include "render/streamers/smooth.h"
-#include "render/view/chosen_ground.h"
-#include "render/view/drawn_height.h"
+#include "render/streamers/smoothstep.h"
+#include "render/view/bilinear_height.h"
+#include "render/view/ground_choice.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr double metres_a_cell = 0.4;  // of beds without metres
-constexpr double heights_a_plume = 2.0;
+constexpr double metres_per_cell = 0.4;  // of beds without metres
+constexpr double heights_per_plume = 2.0;
 constexpr double shortest_plume = 3.0;  // metres
 constexpr double longest_plume = 30.0;
 constexpr float full_shadow = 0.1763F;  // tan 10°
@@ -63,17 +63,17 @@ class SunOverBed {
           lower_(static_cast<double>(sun.lower_limb)),
           upper_(static_cast<double>(sun.upper_limb)) {}
 
-    [[nodiscard]] float share(const glm::dvec2& place, double z) const {
+    [[nodiscard]] float share(const glm::dvec2& position, double z) const {
         double seen = 1.0;
         double away = step_;
         const auto top = static_cast<double>(highest_);
         for (double step = step_; z + away * lower_ < top && seen > 0.0; step *= 1.1) {
-            const glm::dvec2 at = (place + away * to_sun_) / extent_;
+            const glm::dvec2 at = (position + away * to_sun_) / extent_;
             const bool beside =
                 !sand_.repeats && (at.x < 0.0 || at.y < 0.0 || at.x > 1.0 || at.y > 1.0);
             if (beside) break;
             const double rise =
-                (static_cast<double>(drawn_height(sand_.z, at, sand_.repeats)) - z) / away;
+                (static_cast<double>(bilinear_height(sand_.z, at, sand_.repeats)) - z) / away;
             seen = std::min(seen, (upper_ - rise) / (upper_ - lower_));
             away += step;
         }
@@ -107,18 +107,18 @@ void find_brinks(BlownSand& sand, const Grid& flux, const Field<float>& reached,
                 next.x < 0.0 || next.y < 0.0 || next.x > extent.x || next.y > extent.y;
             if (beyond && !sand.repeats) continue;
             const double behind =
-                static_cast<double>(drawn_height(reached, next / extent, sand.repeats));
+                static_cast<double>(bilinear_height(reached, next / extent, sand.repeats));
             const double leaving = flux(x, y) * (static_cast<double>(reached(x, y)) - behind);
             if (leaving < least_leaving) continue;
             Brink brink;
-            brink.place = here + 0.5 * on * way;
+            brink.position = here + 0.5 * on * way;
             brink.z = static_cast<double>(sand.z(x, y));
             brink.flux = leaving;
             brink.id = static_cast<std::uint32_t>(y * nx + x);
             for (int part = 0; part < 3; ++part) {
                 const double gone = 0.4 * part;
                 const double sunk = 0.04 - 0.25 * gone * gone;
-                brink.sun[part] = light.share(brink.place + gone * sand.length * way,
+                brink.sun[part] = light.share(brink.position + gone * sand.length * way,
                                               brink.z + sunk * sand.length);
             }
             sand.brinks.push_back(brink);
@@ -137,7 +137,7 @@ void check_streamers(const View& view, const Snapshot& first) {
     if (!first.saltation_flux)
         refuse("and this model has no such wind; take one of sand or dunes, or leave them out");
     if (first.bed.ny() < 2) refuse("and are for beds of more than one row");
-    if (!goes_on_endlessly(view, first))
+    if (!is_endless(view, first))
         refuse("and are drawn over endless ground; look.ground = \"endless\" makes it so");
 }
 
@@ -151,11 +151,11 @@ BlownSand blown_sand(const Snapshot& snapshot, const View& view, const Block& bl
     sand.way = blowing_way(snapshot);
     sand.repeats = snapshot.periodic;
     const double cell = std::min(cells.size().x, cells.size().y);
-    sand.metre = snapshot.scale.in_metres ? 1.0 / block.side : cell / metres_a_cell;
+    sand.metre = snapshot.scale.in_metres ? 1.0 / block.side : cell / metres_per_cell;
     sand.width = std::abs(sand.way.x) * cells.size().y + std::abs(sand.way.y) * cells.size().x;
     const double asked_unit = 1.0 / block.side;
     sand.length = asked.length.is_word()
-                      ? std::clamp(heights_a_plume * relief_of(snapshot.bed) * block.height_scale,
+                      ? std::clamp(heights_per_plume * relief_of(snapshot.bed) * block.height_scale,
                                    shortest_plume * sand.metre, longest_plume * sand.metre)
                       : asked.length.value * asked_unit;
     sand.travel = asked.travel * asked_unit;
@@ -174,7 +174,7 @@ BlownSand blown_sand(const Snapshot& snapshot, const View& view, const Block& bl
     sand.open = Field<float>(nx, ny);
     for (std::size_t i = 0; i < flux.size(); ++i) {
         const double there = flux.values()[i];
-        sand.open.values()[i] = static_cast<float>(there * smooth(0.5, 1.0, there) *
+        sand.open.values()[i] = static_cast<float>(there * smoothstep(0.5, 1.0, there) *
                                                    static_cast<double>(reached.values()[i]));
     }
     find_brinks(sand, flux, reached, block, SunOverBed(sand, block, sun));

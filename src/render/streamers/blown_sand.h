@@ -19,10 +19,10 @@ void check_streamers(const View& view, const Snapshot& first);
 
 /// A cell over whose brink sand leaves into the lee.
 struct Brink {
-    glm::dvec2 place{0.0};  ///< from the bed's south-western corner, block lengths
-    double z = 0.0;         ///< likewise
-    double flux = 0.0;      ///< in parts of that over level ground
-    glm::vec3 sun{1.0F};    ///< shares of the sun at the plume's begin, middle and end
+    glm::dvec2 position{0.0};  ///< from the bed's south-western corner, block lengths
+    double z = 0.0;            ///< likewise
+    double flux = 0.0;         ///< in parts of that over level ground
+    glm::vec3 sun{1.0F};       ///< shares of the sun at the plume's begin, middle and end
     std::uint32_t id = 0;
 };
 

@@ -5,7 +5,7 @@
 
 #include "render/streamers/blown_sand.h"
 #include "render/view/camera.h"
-#include "render/view/far_copies.h"
+#include "render/view/tile_warp.h"
 
 namespace fumon {
 
@@ -22,7 +22,7 @@ struct PuffGround {
     glm::dvec2 corner{0.0};  ///< of the bed, from its middle, block lengths
     glm::dvec2 extent{1.0};
     double curvature = 0.0;
-    FarCopies copies{};
+    TileWarp copies{};
 };
 
 /// The puffs that a camera sees of the sand over a bed and its repetitions, in an order of their
@@ -31,7 +31,7 @@ struct PuffGround {
 /// a train of puffs that leave the brink one after the other, go on downwind all equally fast,
 /// sink, spread and thin out; gusts that pass along the brink leave dark gaps. Farther away fewer
 /// and wider ones hold the same sand; where plumes are lower than a pixel there are none.
-std::vector<Puff> puffs_seen(const BlownSand& sand, double strength, double gone,
-                             const PuffGround& ground, const Camera& camera, double pixel);
+std::vector<Puff> visible_puffs(const BlownSand& sand, double strength, double gone,
+                                const PuffGround& ground, const Camera& camera, double pixel);
 
 }  // namespace fumon

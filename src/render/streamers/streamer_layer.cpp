@@ -80,13 +80,13 @@ void StreamerLayer::choose(const BlownSand& sand, std::int64_t steps, const Grou
                         static_cast<double>(ground.curvature), ground.copies};
     const double gone = sand.travel * static_cast<double>(steps);
     const double pixel = 2.0 * camera.half.y / static_cast<double>(view_.image.height);
-    puffs_ = puffs_seen(sand, view_.streamers.strength, gone, on, camera, pixel);
+    puffs_ = visible_puffs(sand, view_.streamers.strength, gone, on, camera, pixel);
     const glm::dvec2 wind(sand.way.x, sand.way.y);
     const auto downwind =
         std::fmod((glm::dot(glm::dvec2(camera.eye), wind) - gone) / sand.metre, whole_streaks);
     const double aside = glm::dot(glm::dvec2(camera.eye), glm::dvec2(-wind.y, wind.x)) / sand.metre;
     wind_ = glm::vec2(wind);
-    eye_place_ = glm::vec3(glm::dvec3(downwind, aside, camera.eye.z / sand.metre));
+    eye_position_ = glm::vec3(glm::dvec3(downwind, aside, camera.eye.z / sand.metre));
     metre_ = static_cast<float>(sand.metre);
     gl::functions().BindVertexArray(array_.name());
     instances_.fill(puffs_);
@@ -147,7 +147,7 @@ void StreamerLayer::draw(const gl::Texture2D& seen, glm::ivec2 first, int factor
                  glm::vec2(glm::dvec2(glm::dot(ahead, camera.right), glm::dot(ahead, camera.up)) /
                            camera.half));
     program_.set("wind", wind_);
-    program_.set("eye_place", eye_place_);
+    program_.set("eye_position", eye_position_);
     program_.set("metre", metre_);
     ground_.colour().bind(offsets_unit);
     program_.set("ground_map", offsets_unit);

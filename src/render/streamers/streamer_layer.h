@@ -38,7 +38,7 @@ class StreamerLayer {
     /// Rasterises what stands on the ground into the bound target, by a program with
     /// streamers/standing.frag.glsl: it is seen through what is blown before it.
     using Occluder = std::function<void(const TileSamples&)>;
-    /// Draws it for a tile whose lower left pixel has the sample `first` of `seen` there, see
+    /// Draws it for a tile whose lower left pixel has the sample `first` of `visibility` there, see
     /// WorldLayer::rasterise(), of `factor`² samples a pixel.
     void draw(const gl::Texture2D& seen, glm::ivec2 first, int factor, const Tile& tile,
               const Light& light, const Camera& camera, std::span<const Occluder> occluders);
@@ -67,7 +67,7 @@ class StreamerLayer {
     gl::VertexArray no_attributes_;
     gl::DynamicBuffer instances_{GL_ARRAY_BUFFER};
     glm::vec2 wind_{1.0F, 0.0F};
-    glm::vec3 eye_place_{0.0F};
+    glm::vec3 eye_position_{0.0F};
     float metre_ = 1.0F;
     std::vector<Puff> puffs_;
 };

@@ -104,9 +104,9 @@ double steep_slope(const Snapshot& snapshot, std::size_t percent = 99) {
         }
     }
     if (squares.empty()) return 0.0;
-    const auto place = static_cast<std::ptrdiff_t>(squares.size() * percent / 100);
-    std::nth_element(squares.begin(), squares.begin() + place, squares.end());
-    return std::sqrt(squares[static_cast<std::size_t>(place)]);
+    const auto position = static_cast<std::ptrdiff_t>(squares.size() * percent / 100);
+    std::nth_element(squares.begin(), squares.begin() + position, squares.end());
+    return std::sqrt(squares[static_cast<std::size_t>(position)]);
 }
 
 }  // namespace

@@ -16,26 +16,26 @@ namespace fumon {
 struct DrawnOrigin {
     int east = 0;  ///< cells from the array's first one
     int north = 0;
-    glm::dvec2 share{0.0};  ///< the same, of the bed's sides
-    glm::dvec2 place{0.0};  ///< the same, block lengths
+    glm::dvec2 share{0.0};     ///< the same, of the bed's sides
+    glm::dvec2 position{0.0};  ///< the same, block lengths
 };
 
 /// Cameras stand at whole and half cells more often than anywhere else.
-inline constexpr double begin_of_cells = 0.317;
+inline constexpr double cell_boundary_offset = 0.317;
 
 /// The origin that puts the cell in which a camera stands into the middle of the drawn bed.
 inline DrawnOrigin origin_around(const Camera& camera, const Block& block, int nx, int ny) {
-    const auto first_of = [&](double place, double extent, int count) {
-        const double share = place / extent + 0.5;
+    const auto first_of = [&](double position, double extent, int count) {
+        const double share = position / extent + 0.5;
         const double within = (share - std::floor(share)) * count;
-        const int cell = whole_within(std::floor(within + begin_of_cells), 0, count);
+        const int cell = whole_within(std::floor(within + cell_boundary_offset), 0, count);
         return ((cell - count / 2) % count + count) % count;
     };
     DrawnOrigin origin;
     origin.east = first_of(camera.eye.x, block.width_x, nx);
     origin.north = first_of(camera.eye.y, block.width_y, ny);
     origin.share = {static_cast<double>(origin.east) / nx, static_cast<double>(origin.north) / ny};
-    origin.place = origin.share * glm::dvec2(block.width_x, block.width_y);
+    origin.position = origin.share * glm::dvec2(block.width_x, block.width_y);
     return origin;
 }
 

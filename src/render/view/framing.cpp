@@ -22,8 +22,8 @@ namespace {
 /// The bed's height at a place in cells, between its four nearest centres.
 double height_at(const Snapshot& snapshot, double x, double y) {
     const Grid& bed = snapshot.bed;
-    const auto cell = [](double place, int count, bool periodic) {
-        const int index = static_cast<int>(std::floor(place));
+    const auto cell = [](double position, int count, bool periodic) {
+        const int index = static_cast<int>(std::floor(position));
         return periodic ? ((index % count) + count) % count : std::clamp(index, 0, count - 1);
     };
     const double column = std::clamp(x, -1e8, 1e8) - 0.5;
@@ -39,28 +39,29 @@ double height_at(const Snapshot& snapshot, double x, double y) {
 }
 
 /// z of the ground at a place from the bed's middle.
-double ground_at(const Snapshot& snapshot, const Block& block, const glm::dvec2& place,
-                 const FarCopies& copies) {
-    const glm::dvec2 shown = copies.shown_at(place);
+double ground_at(const Snapshot& snapshot, const Block& block, const glm::dvec2& position,
+                 const TileWarp& copies) {
+    const glm::dvec2 shown = copies.bed_position_at(position);
     return copies.raised(
-        copies.at(place),
+        copies.at(position),
         block.z(height_at(snapshot, (shown.x / block.width_x + 0.5) * snapshot.bed.nx(),
                           (shown.y / block.width_y + 0.5) * snapshot.bed.ny())));
 }
 
 /// A place of the scene in the block's lengths; none for an empty one.
-std::optional<glm::dvec3> place_in_block(const std::vector<double>& place, const Snapshot& first,
-                                         const Block& block) {
-    if (place.empty()) return std::nullopt;
-    const double ground = height_at(first, place[0] / first.scale.dx, place[1] / first.scale.dy);
-    return glm::dvec3(place[0] / block.side - 0.5 * block.width_x,
-                      place[1] / block.side - 0.5 * block.width_y,
-                      block.z(ground + place[2] / first.scale.height_unit));
+std::optional<glm::dvec3> position_in_block(const std::vector<double>& position,
+                                            const Snapshot& first, const Block& block) {
+    if (position.empty()) return std::nullopt;
+    const double ground =
+        height_at(first, position[0] / first.scale.dx, position[1] / first.scale.dy);
+    return glm::dvec3(position[0] / block.side - 0.5 * block.width_x,
+                      position[1] / block.side - 0.5 * block.width_y,
+                      block.z(ground + position[2] / first.scale.height_unit));
 }
 
 /// Where far copies of the bed stand otherwise than it does.
 void stand_on_copies(Block& block, const View& view, const Snapshot& first) {
-    const FarCopies copies = far_copies_of(view, block, first);
+    const TileWarp copies = tile_warp_of(view, block, first);
     const auto stand = [&](std::optional<glm::dvec3>& point) {
         if (!point || !copies.varies_at(glm::dvec2(*point))) return;
         point->z += ground_at(first, block, glm::dvec2(*point), copies) -
@@ -125,12 +126,12 @@ Relief relief_of(const Snapshot& first, const Block& block) {
             squares += (z - middle) * (z - middle);
             slopes += 0.5 * (east * east + north * north);
             // Of equal crests the one nearest to the middle.
-            const glm::dvec2 place((x + 0.5) * dx - 0.5 * block.width_x,
-                                   (y + 0.5) * dy - 0.5 * block.width_y);
-            const double rank = z - 0.05 * (relief.high - relief.low) * glm::length(place);
+            const glm::dvec2 position((x + 0.5) * dx - 0.5 * block.width_x,
+                                      (y + 0.5) * dy - 0.5 * block.width_y);
+            const double rank = z - 0.05 * (relief.high - relief.low) * glm::length(position);
             if (rank <= most) continue;
             most = rank;
-            relief.highest = place;
+            relief.highest = position;
         }
     }
     if (slopes > 0.0)
@@ -197,12 +198,13 @@ void set_framing(Block& block, Framing framing, const Snapshot& first) {
     }
     const double azimuth = off_lattice(downwind + stand.azimuth, block) * degree;
     const glm::dvec2 ahead(elementary::sin(azimuth), elementary::cos(azimuth));
-    const glm::dvec2 place = relief.highest - stand.distance * ahead;
+    const glm::dvec2 position = relief.highest - stand.distance * ahead;
     const double middle = 0.5 * (relief.low + relief.high);
-    const double ground = block.z(height_at(first, (place.x / block.width_x + 0.5) * first.bed.nx(),
-                                            (place.y / block.width_y + 0.5) * first.bed.ny()));
+    const double ground =
+        block.z(height_at(first, (position.x / block.width_x + 0.5) * first.bed.nx(),
+                          (position.y / block.width_y + 0.5) * first.bed.ny()));
     block.eye_above = 0.15 * height;
-    block.eye = glm::dvec3(place, std::max(middle + stand.above, ground + block.eye_above));
+    block.eye = glm::dvec3(position, std::max(middle + stand.above, ground + block.eye_above));
     block.look_at = glm::dvec3(relief.highest, middle + stand.target);
 }
 
@@ -214,8 +216,8 @@ Block framed_block(const View& view, const Snapshot& first) {
                                 : wanted.word == "relief" ? relief_exaggeration(first)
                                                           : automatic_exaggeration(first);
     Block block = frame_block(first, exaggeration, view.look.room, view.look.footing);
-    block.eye = place_in_block(view.camera.at, first, block);
-    block.look_at = place_in_block(view.camera.look_at, first, block);
+    block.eye = position_in_block(view.camera.at, first, block);
+    block.look_at = position_in_block(view.camera.look_at, first, block);
     if (block.eye)
         block.eye_above = view.camera.at[2] / first.scale.height_unit * block.height_scale;
     if (block.eye || block.look_at) stand_on_copies(block, view, first);
@@ -241,7 +243,7 @@ Camera camera_at_step(const View& view, const Block& block, std::int64_t step,
 }
 
 Camera above_ground(Camera camera, const Block& block, const Snapshot& snapshot,
-                    const FarCopies& copies) {
+                    const TileWarp& copies) {
     if (!block.eye) return camera;
     const double ground = ground_at(snapshot, block, glm::dvec2(camera.eye), copies);
     camera.eye.z = std::max(camera.eye.z, ground + block.eye_above);
@@ -253,11 +255,11 @@ View standing_on(View view, const Snapshot& first, const Snapshot& drawn) {
     if (camera.at.empty() && camera.look_at.empty()) return view;
     const Block block = framed_block(view, first);
     const Block framed = block_of_frame(block, view.look, first, drawn);
-    const FarCopies copies = far_copies_of(view, block, first);
+    const TileWarp copies = tile_warp_of(view, block, first);
     const auto rise_at = [&](const glm::dvec3& point) {
-        const glm::dvec2 place(point);
+        const glm::dvec2 position(point);
         const double rise =
-            ground_at(drawn, framed, place, copies) - ground_at(first, block, place, copies);
+            ground_at(drawn, framed, position, copies) - ground_at(first, block, position, copies);
         return rise / block.height_scale * first.scale.height_unit;
     };
     // Over ground that has risen above_ground() lifts the camera.

@@ -4,7 +4,7 @@
 
 #include "render/view/block.h"
 #include "render/view/camera.h"
-#include "render/view/far_copies.h"
+#include "render/view/tile_warp.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -23,7 +23,7 @@ Camera camera_at_step(const View& view, const Block& block, std::int64_t step,
 
 /// A camera that stands at a place, raised where the ground of a frame has risen.
 Camera above_ground(Camera camera, const Block& block, const Snapshot& snapshot,
-                    const FarCopies& copies = {});
+                    const TileWarp& copies = {});
 
 /// The view whose camera.at and camera.look_at count from the ground of a picture's snapshot, where
 /// those of `view` count from that of the run's first, as all framing does: the same places, with

@@ -45,9 +45,9 @@ double lens_radius(const CameraSettings& settings, const Block& block, const Cam
     return 0.5 * 1e-3 * camera.focal_length / settings.f_number.value / block.side;
 }
 
-double depth_of_ground(const Camera& camera, const glm::dvec2& place, const RayGround& ground) {
-    const glm::dvec3 ray = camera.forward + place.x * camera.half.x * camera.right +
-                           place.y * camera.half.y * camera.up;
+double depth_of_ground(const Camera& camera, const glm::dvec2& position, const RayGround& ground) {
+    const glm::dvec3 ray = camera.forward + position.x * camera.half.x * camera.right +
+                           position.y * camera.half.y * camera.up;
     const auto above = [&](double depth) {
         const glm::dvec3 point = camera.eye + depth * ray;
         return point.z - ground.height(glm::dvec2(point));
@@ -73,7 +73,8 @@ double depth_of_ground(const Camera& camera, const glm::dvec2& place, const RayG
     return std::numeric_limits<double>::infinity();
 }
 
-double widest_blur(const Camera& camera, const RayGround& ground, double pixels_high) {
+double widest_circle_of_confusion(const Camera& camera, const RayGround& ground,
+                                  double pixels_high) {
     constexpr int across = 16;  // rays, and one more
     constexpr int up = 12;
     double nearest = std::numeric_limits<double>::infinity();

@@ -28,11 +28,12 @@ struct RayGround {
 
 /// The depth at which the ray through a place of the picture (−1 … 1 rightward and upward) meets
 /// ground, seen through a pinhole; infinite where it meets none.
-double depth_of_ground(const Camera& camera, const glm::dvec2& place, const RayGround& ground);
+double depth_of_ground(const Camera& camera, const glm::dvec2& position, const RayGround& ground);
 
 /// The diameter of the widest circle of confusion of a picture that is so many pixels high, in
 /// pixels: of ground on a lattice of rays, and of the sky where one of these sees it.
-double widest_blur(const Camera& camera, const RayGround& ground, double pixels_high);
+double widest_circle_of_confusion(const Camera& camera, const RayGround& ground,
+                                  double pixels_high);
 
 /// How many of a lens's points make a blur of that width look even: neighbours lie 1.5 pixels
 /// apart; 16 to 128.

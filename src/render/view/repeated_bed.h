@@ -12,7 +12,7 @@ Field<Number> with_margin(const Field<Number>& field, int margin) {
     const int nx = field.nx();
     const int ny = field.ny();
     Field<Number> wide(nx + 2 * margin, ny + 2 * margin);
-    const auto within = [](int place, int count) { return (place % count + count) % count; };
+    const auto within = [](int position, int count) { return (position % count + count) % count; };
     for (int y = 0; y < wide.ny(); ++y) {
         const auto from = field.row(within(y - margin, ny));
         const auto to = wide.row(y);
@@ -29,7 +29,7 @@ Field<Number> with_margin(const Field<Number>& field, int margin) {
 /// The same periodic field that begins so many cells farther east and north.
 template <class Number>
 Field<Number> rolled(const Field<Number>& field, int east, int north) {
-    const auto within = [](int place, int count) { return (place % count + count) % count; };
+    const auto within = [](int position, int count) { return (position % count + count) % count; };
     Field<Number> result(field.nx(), field.ny());
     for (int y = 0; y < field.ny(); ++y) {
         const auto from = field.row(within(y + north, field.ny()));

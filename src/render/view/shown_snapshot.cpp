@@ -6,8 +6,8 @@
 
 #include "base/error.h"
 #include "base/snapshots/ground_range.h"
-#include "render/view/chosen_ground.h"
-#include "render/view/plain_around.h"
+#include "render/view/ground_choice.h"
+#include "render/view/surrounding_plain.h"
 
 namespace fumon {
 
@@ -135,8 +135,8 @@ Snapshot coarser(const Snapshot& snapshot, int k) {
 /// How many cells along each side become one.
 int cells_averaged(const Snapshot& snapshot, const View& view) {
     const int longer = std::max(snapshot.bed.nx(), snapshot.bed.ny());
-    const bool endless = goes_on_endlessly(view, snapshot);
-    const int longest = endless && ends_somewhere(snapshot) ? longest_in_plain : longest_drawn;
+    const bool endless = is_endless(view, snapshot);
+    const int longest = endless && is_bounded(snapshot) ? longest_in_plain : longest_drawn;
     const int needed = (longer + longest - 1) / longest;
     const CameraSettings& camera = view.camera;
     const bool whole_block_seen = !endless && camera.framing == Framing::block &&

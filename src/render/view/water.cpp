@@ -282,10 +282,10 @@ Field<float> froude_numbers(const Snapshot& snapshot) {
 }
 
 double closed_depth(const WorldScale& scale) {
-    constexpr double of_a_metre = 0.004;  // m
-    constexpr double none = 1e-12;        // m
+    constexpr double closed_depth_at_1_m = 0.004;  // m
+    constexpr double none = 1e-12;                 // m
     if (!scale.in_metres) return none;
-    return of_a_metre * std::sqrt(std::min(scale.dx, scale.dy));
+    return closed_depth_at_1_m * std::sqrt(std::min(scale.dx, scale.dy));
 }
 
 WaterStatistics water_statistics(const Snapshot& snapshot) {

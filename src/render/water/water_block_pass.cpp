@@ -12,18 +12,19 @@ void WaterBlockPass::find_kinds(const DisplayWater& standing, const Snapshot& sh
 }
 
 void WaterBlockPass::rasterise(const TileFrame& tile, const TerrainLayer& terrain,
-                               const BedShading& shading, BlockSamples& coverage) {
+                               const BedShading& shading, BlockRasteriser& coverage) {
     const Camera& camera = tile.camera;
     const glm::vec2 cells(shading.cells());
     const glm::vec3 low = terrain.low();
-    const BlockSamples::Seeing seeing{
+    const BlockRasteriser::GBufferSetup setup{
         camera,
         tile.picture(),
         {terrain.height_span()},
         {&kinds_, cells, low - glm::vec3(camera.eye), terrain.high() - low,
          static_cast<float>(2.0 * camera.half.y / static_cast<double>(tile.picture().y)),
-         camera.perspective, WaterPixels::near_cells, WaterPixels::near_widths}};
-    coverage.see_places(terrain.shape(camera), tile.tile, seeing, tile.pool, positions_);
+         camera.perspective, WaterPixels::split_distance_cells,
+         WaterPixels::split_distance_pixels}};
+    coverage.fill_g_buffer(terrain.shape(camera), tile.tile, setup, tile.pool, positions_);
 }
 
 void WaterBlockPass::shade(const TileFrame& tile, const TerrainLayer& terrain,
@@ -31,8 +32,8 @@ void WaterBlockPass::shade(const TileFrame& tile, const TerrainLayer& terrain,
     pixels_.shade(positions_, {shading, terrain, tile.light, tile.camera});
 }
 
-void WaterBlockPass::resolve(const TileFrame& tile, BlockSamples& coverage, Image& image) {
-    coverage.put_colours(positions_, tile.pool, image);
+void WaterBlockPass::resolve(const TileFrame& tile, BlockRasteriser& coverage, Image& image) {
+    coverage.resolve_shading(positions_, tile.pool, image);
 }
 
 void WaterBlockPass::shade(const gl::Texture2D& visibility, const TileFrame& tile,

@@ -6,8 +6,8 @@
 #include "render/bed/bed_shading.h"
 #include "render/block/terrain_layer.h"
 #include "render/frame/tile_frame.h"
-#include "render/samples/block_samples.h"
-#include "render/samples/pixel_places.h"
+#include "render/samples/block_rasteriser.h"
+#include "render/samples/g_buffer.h"
 #include "render/view/water.h"
 #include "render/water/water_pixels.h"
 
@@ -18,7 +18,7 @@ namespace fumon {
 class WaterBlockPass {
   public:
     /// See WaterPixels.
-    WaterBlockPass(const TilePlan& plan, const gl::Constants& fixed, PixelKind kind, bool alike)
+    WaterBlockPass(const TilePlan& plan, const gl::Constants& fixed, PixelFormat kind, bool alike)
         : pixels_(plan, fixed, kind, alike) {}
 
     /// Of the water that a picture shows, `tinted` unless its colours have another meaning: where
@@ -27,11 +27,11 @@ class WaterBlockPass {
 
     /// Finds the positions that the pixels of a tile show, by vector code.
     void rasterise(const TileFrame& tile, const TerrainLayer& terrain, const BedShading& shading,
-                   BlockSamples& coverage);
+                   BlockRasteriser& coverage);
     /// Shades these.
     void shade(const TileFrame& tile, const TerrainLayer& terrain, const BedShading& shading);
     /// Puts them into the picture.
-    void resolve(const TileFrame& tile, BlockSamples& coverage, Image& image);
+    void resolve(const TileFrame& tile, BlockRasteriser& coverage, Image& image);
 
     /// Shades the pixels whose samples are in a target, see TerrainLayer::rasterise().
     void shade(const gl::Texture2D& visibility, const TileFrame& tile, const TerrainLayer& terrain,
@@ -41,8 +41,8 @@ class WaterBlockPass {
 
   private:
     WaterPixels pixels_;
-    place_vectors::KindMap kinds_;
-    PixelPlaces positions_;  // room for the next ones
+    g_buffer_vectors::KindMap kinds_;
+    GBuffer positions_;  // room for the next ones
 };
 
 }  // namespace fumon

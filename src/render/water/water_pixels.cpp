@@ -10,7 +10,7 @@ namespace {
 
 constexpr int visibility_unit = 11;  // after those of the ground and the water
 constexpr int grain_unit = 12;
-constexpr int places_unit = 13;
+constexpr int positions_unit = 13;
 
 // How pixels are told apart, by depth: a drawing at a depth between reaches one kind of them.
 constexpr double dry_depth = 0.1;
@@ -30,8 +30,8 @@ constexpr float dry_water = 0.0F;
 constexpr float thin_water = 1.0F;
 constexpr float any_water = 2.0F;
 
-const gl::TextureLayout places_layout{GL_RGBA32F, GL_RGBA, GL_FLOAT,
-                                      GL_NEAREST, 0,       GL_CLAMP_TO_EDGE};
+const gl::TextureLayout positions_layout{GL_RGBA32F, GL_RGBA, GL_FLOAT,
+                                         GL_NEAREST, 0,       GL_CLAMP_TO_EDGE};
 
 const gl::TextureLayout kinds_layout{GL_R8,      GL_RED, GL_UNSIGNED_BYTE,
                                      GL_NEAREST, 0,      GL_CLAMP_TO_EDGE};
@@ -43,12 +43,12 @@ gl::Constants with(gl::Constants fixed, float under_water, float split) {
 }
 
 gl::Constants with_limits(gl::Constants fixed) {
-    fixed.push_back({"near_cells", WaterPixels::near_cells});
-    fixed.push_back({"near_widths", WaterPixels::near_widths});
+    fixed.push_back({"split_distance_cells", WaterPixels::split_distance_cells});
+    fixed.push_back({"split_distance_pixels", WaterPixels::split_distance_pixels});
     return fixed;
 }
 
-gl::TextureLayout layout_of(PixelKind kind) {
+gl::TextureLayout layout_of(PixelFormat kind) {
     gl::TextureLayout layout = colour_layout(kind);
     layout.filter = GL_NEAREST;
     return layout;
@@ -103,7 +103,7 @@ glm::ivec2 pixel_offset(const glm::ivec2& first, int factor) {
     return {begun(first.x), begun(first.y)};
 }
 
-WaterPixels::WaterPixels(const TilePlan& plan, const gl::Constants& fixed, PixelKind kind,
+WaterPixels::WaterPixels(const TilePlan& plan, const gl::Constants& fixed, PixelFormat kind,
                          bool alike)
     : factor_(plan.factor),
       alike_(alike),
@@ -115,8 +115,9 @@ WaterPixels::WaterPixels(const TilePlan& plan, const gl::Constants& fixed, Pixel
       deep_("common/screen.vert.glsl", "water/water_pixels.frag.glsl", {},
             with(fixed_, any_water, 0.0F)),
       depths_(pixels_of(plan.target_width, plan.factor), rows_of(plan)),
-      places_(pixels_of(plan.target_width, plan.factor), rows_of(plan), places_layout, &depths_),
-      target_(places_.width(), places_.height(), layout_of(kind), &depths_) {}
+      positions_(pixels_of(plan.target_width, plan.factor), rows_of(plan), positions_layout,
+                 &depths_),
+      target_(positions_.width(), positions_.height(), layout_of(kind), &depths_) {}
 
 const WaterPixels::BySamples& WaterPixels::by_samples() {
     if (!by_samples_)
@@ -129,12 +130,12 @@ const WaterPixels::BySamples& WaterPixels::by_samples() {
     return *by_samples_;
 }
 
-const WaterPixels::ByPlaces& WaterPixels::by_places() {
-    if (!by_places_)
-        by_places_.emplace(
-            ByPlaces{{"common/screen.vert.glsl", "water/water_kind_depths.frag.glsl", {}},
-                     {target_.width(), target_.height(), kinds_layout}});
-    return *by_places_;
+const WaterPixels::ByPositions& WaterPixels::by_positions() {
+    if (!by_positions_)
+        by_positions_.emplace(
+            ByPositions{{"common/screen.vert.glsl", "water/water_kind_depths.frag.glsl", {}},
+                        {target_.width(), target_.height(), kinds_layout}});
+    return *by_positions_;
 }
 
 void WaterPixels::draw(const gl::Program& program, GLenum passes, double depth,
@@ -144,8 +145,8 @@ void WaterPixels::draw(const gl::Program& program, GLenum passes, double depth,
     shaded.shading.bind_all(program, shaded.light, shaded.camera, 0.0);
     program.set("height_span", shaded.terrain.height_span());
     shaded.terrain.set_grain(program, grain_unit);
-    places_.colour().bind(places_unit);
-    program.set("places", places_unit);
+    positions_.colour().bind(positions_unit);
+    program.set("positions", positions_unit);
     gl.DepthRange(depth, depth);
     gl.DepthFunc(passes);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -171,18 +172,19 @@ void WaterPixels::end_shading() {
     gl.Disable(GL_DEPTH_TEST);
 }
 
-void WaterPixels::shade(PixelPlaces& known, const Shaded& shaded) {
+void WaterPixels::shade(GBuffer& known, const Shaded& shaded) {
     const glm::ivec2 size = known.size;
     known.colours.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
     if (known.colours.empty()) return;
     const gl::Functions& gl = gl::functions();
-    places_.colour().bind(places_unit);  // a new texture takes the unit in use: not the sky's
-    const ByPlaces& by = by_places();
+    positions_.colour().bind(positions_unit);  // a new texture takes the unit in use: not the sky's
+    const ByPositions& by = by_positions();
     const std::size_t first = static_cast<std::size_t>(known.low.y) * known.stride +
                               static_cast<std::size_t>(known.low.x);
-    places_.colour().upload_part(known.low, size, known.stride, known.places.data() + 4 * first);
+    positions_.colour().upload_region(known.low, size, known.stride,
+                                      known.positions.data() + 4 * first);
     by.kinds.bind(visibility_unit);
-    by.kinds.upload_part(known.low, size, known.stride, known.kinds.data() + first);
+    by.kinds.upload_region(known.low, size, known.stride, known.kinds.data() + first);
     gl.Enable(GL_SCISSOR_TEST);
     gl.Scissor(known.low.x, known.low.y, size.x, size.y);
     gl.Enable(GL_DEPTH_TEST);
@@ -203,8 +205,8 @@ void WaterPixels::shade(PixelPlaces& known, const Shaded& shaded) {
                   known.colours.data());
 }
 
-void WaterPixels::shade(const gl::Texture2D& seen, const glm::ivec2& offset, const Shaded& shaded,
-                        const TileSamples& tile) {
+void WaterPixels::shade(const gl::Texture2D& visibility, const glm::ivec2& offset,
+                        const Shaded& shaded, const TileSamples& tile) {
     const gl::Functions& gl = gl::functions();
     const BySamples& by = by_samples();
     const Rectangle part = pixels_of_block(glm::mat4(clip_matrix(shaded.camera)),
@@ -214,12 +216,12 @@ void WaterPixels::shade(const gl::Texture2D& seen, const glm::ivec2& offset, con
     gl.Scissor(part.low.x, part.low.y, part.size.x, part.size.y);
     const auto take_samples = [&](const gl::Program& program) {
         program.use();
-        seen.bind(visibility_unit);
+        visibility.bind(visibility_unit);
         program.set("visibility", visibility_unit);
         program.set("sample_offset", glm::vec2(offset));
     };
     gl.Enable(GL_DEPTH_TEST);
-    places_.bind();
+    positions_.bind();
     take_samples(by.kinds);
     by.kinds.set("dry_depth", static_cast<float>(alike_ ? deep_depth : dry_depth));
     by.kinds.set("nothing_depth", static_cast<float>(nothing_depth));

@@ -8,10 +8,10 @@
 #include "gl/texture.h"
 #include "render/bed/bed_shading.h"
 #include "render/block/terrain_layer.h"
-#include "render/colour/pixel_kind.h"
+#include "render/colour/pixel_format.h"
 #include "render/frame/tile_samples.h"
 #include "render/light/light.h"
-#include "render/samples/pixel_places.h"
+#include "render/samples/g_buffer.h"
 #include "render/view/camera.h"
 #include "render/view/tiles.h"
 #include "scene/scene.h"
@@ -24,13 +24,13 @@ class WaterPixels {
   public:
     /// `fixed`: see fixed_uniforms(). `alike`: each pixel by the program that shades any, at some
     /// cost, but for those that see two places.
-    WaterPixels(const TilePlan& plan, const gl::Constants& fixed, PixelKind kind,
+    WaterPixels(const TilePlan& plan, const gl::Constants& fixed, PixelFormat kind,
                 bool alike = false);
 
     /// Between the samples of a pixel: up to there, in cells of the maps or in widths of a pixel,
     /// one place stands for all.
-    static constexpr float near_cells = 1.25F;
-    static constexpr float near_widths = 14.0F;
+    static constexpr float split_distance_cells = 1.25F;
+    static constexpr float split_distance_pixels = 14.0F;
 
     /// A bed that both have taken, in this light.
     struct Shaded {
@@ -39,14 +39,14 @@ class WaterPixels {
         const Light& light;
         const Camera& camera;
     };
-    /// Shades, into a target of its own, what the samples `seen` (see
+    /// Shades, into a target of its own, what the samples `visibility` (see
     /// block/visibility_surface.frag.glsl) show; pixels begin at the sample `offset`, see
     /// pixel_offset(). Needs a bound vertex array without attributes.
-    void shade(const gl::Texture2D& seen, const glm::ivec2& offset, const Shaded& shaded,
+    void shade(const gl::Texture2D& visibility, const glm::ivec2& offset, const Shaded& shaded,
                const TileSamples& tile);
 
     /// The same of places that are known, of pixels of display_8, and reads their colours.
-    void shade(PixelPlaces& known, const Shaded& shaded);
+    void shade(GBuffer& known, const Shaded& shaded);
 
     /// Whether all kinds are shaded as if they might show anything.
     [[nodiscard]] bool alike() const { return alike_; }
@@ -65,22 +65,22 @@ class WaterPixels {
     };
     const BySamples& by_samples();
     /// Of places that are known.
-    struct ByPlaces {
+    struct ByPositions {
         gl::Program depths;
         gl::Texture2D kinds;
     };
-    const ByPlaces& by_places();
+    const ByPositions& by_positions();
     /// Draws what passes a test of the depth.
     void draw(const gl::Program& program, GLenum passes, double depth, const Shaded& shaded);
     void begin_shading();
     static void end_shading();
     std::optional<BySamples> by_samples_;
-    std::optional<ByPlaces> by_places_;
+    std::optional<ByPositions> by_positions_;
     gl::Program dry_;
     gl::Program thin_;
     gl::Program deep_;
     gl::DepthBuffer depths_;  ///< by which kinds of pixels are told apart
-    gl::RenderTarget places_;
+    gl::RenderTarget positions_;
     gl::RenderTarget target_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double nearest_share = 0.2;    // of the eye's height above the ground: the first ring
 constexpr double least_nearest = 1e-6;   // block lengths
 constexpr double earth_radius = 6360.0;  // km
-constexpr double pixels_a_ray = 3.0;
+constexpr double pixels_per_ray = 3.0;
 constexpr double wall_slope = 1.2;    // twice that of sand
 constexpr double longest_turn = 0.3;  // of a ripple, between two samples, at which it is not seen
 
@@ -45,18 +45,18 @@ Reach reach_of(const Camera& camera, const glm::dvec2& heading, const glm::dvec2
 
 }  // namespace
 
-double WorldLayer::ground_at(const glm::dvec2& place, const HeightPyramid& heights) const {
+double WorldLayer::ground_at(const glm::dvec2& position, const HeightPyramid& heights) const {
     Camera there;
-    there.eye = glm::dvec3(place, 0.0);
+    there.eye = glm::dvec3(position, 0.0);
     return ground_under(there, heights);
 }
 
 double WorldLayer::ground_under(const Camera& camera, const HeightPyramid& heights) const {
     const glm::dvec3 eye = reduced_eye(camera);
-    const GroundCopy copy = copies_.at(glm::dvec2(camera.eye));
+    const WarpedGround copy = copies_.at(glm::dvec2(camera.eye));
     const auto on_bed =
-        static_cast<double>(heights.at(0, eye.x / block_.width_x + 0.5 + copy.aside.x,
-                                       eye.y / block_.width_y + 0.5 + copy.aside.y));
+        static_cast<double>(heights.at(0, eye.x / block_.width_x + 0.5 + copy.offset.x,
+                                       eye.y / block_.width_y + 0.5 + copy.offset.y));
     return copies_.raised(copy, on_bed);
 }
 
@@ -74,7 +74,7 @@ GroundFan WorldLayer::fan_of(const Camera& camera, const HeightPyramid& heights)
     fan.half_angle = turned_aside(reach.half_angle);
     const double above = camera.eye.z - ground_under(camera, heights);
     fan.nearest = std::max(nearest_share * above, least_nearest);
-    fan.rays = static_cast<int>(static_cast<double>(view_.image.width) / pixels_a_ray) + 2;
+    fan.rays = static_cast<int>(static_cast<double>(view_.image.width) / pixels_per_ray) + 2;
     if (camera.lens.radius > 0.0) {
         // As wide as its points see, with rays as close together.
         const double nearest = std::max(fan.nearest, 0.5 * above * reach.least_run);
@@ -109,16 +109,16 @@ GroundFan WorldLayer::fan_of(const Camera& camera, const HeightPyramid& heights)
 
 glm::dvec3 WorldLayer::reduced_eye(const Camera& camera) const {
     if (block_.tiles.plain) return camera.eye;
-    const auto reduced = [](double place, double extent) {
-        return place - extent * std::floor(place / extent + 0.5);
+    const auto reduced = [](double position, double extent) {
+        return position - extent * std::floor(position / extent + 0.5);
     };
-    return {reduced(camera.eye.x - origin_.place.x, block_.width_x),
-            reduced(camera.eye.y - origin_.place.y, block_.width_y), camera.eye.z};
+    return {reduced(camera.eye.x - origin_.position.x, block_.width_x),
+            reduced(camera.eye.y - origin_.position.y, block_.width_y), camera.eye.z};
 }
 
 glm::dvec2 WorldLayer::eye_from_middle(const Camera& camera) const {
     const glm::dvec2 extent(block_.width_x, block_.width_y);
-    const glm::dvec2 whole = glm::floor((glm::dvec2(camera.eye) - origin_.place) / extent + 0.5);
+    const glm::dvec2 whole = glm::floor((glm::dvec2(camera.eye) - origin_.position) / extent + 0.5);
     return copies_.from_middle(origin_.share + whole, glm::dvec2(reduced_eye(camera)) / extent);
 }
 
@@ -138,14 +138,14 @@ float WorldLayer::curvature() const {
     return static_cast<float>(block_.kilometres / (2.0 * earth_radius));
 }
 
-SeenGround WorldLayer::ground_seen(const Camera& camera, double samples_high,
-                                   const HeightPyramid& heights, WorkerPool& pool) const {
-    SeenGround ground;
+VisibleGround WorldLayer::visible_ground(const Camera& camera, double samples_high,
+                                         const HeightPyramid& heights, WorkerPool& pool) const {
+    VisibleGround ground;
     ground.sample_angle = 2.0 * camera.half.y / samples_high;
     // Beyond that distance a sample spans too much of a ripple.
-    ground.near_to = 2.0 * longest_turn * ripple_wavelength_ / ground.sample_angle;
+    ground.near_limit = 2.0 * longest_turn * ripple_wavelength_ / ground.sample_angle;
     GroundFan fan = fan_of(camera, heights);
-    fan.near_to = ground.near_to;
+    fan.near_limit = ground.near_limit;
     ground.mesh = ground_mesh(fan, heights, pool);
     return ground;
 }

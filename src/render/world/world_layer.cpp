@@ -39,14 +39,14 @@ gl::Constants shading_constants(gl::Constants fixed, const View& view, ShadingPa
                                 double least_slip_slope) {
     fixed.push_back(factor_of(view));
     fixed.push_back({"least_slip_slope", static_cast<float>(least_slip_slope)});
-    fixed.push_back({"sliding_from", sliding_from});
+    fixed.push_back({"min_avalanche_slope", min_avalanche_slope});
     if (view.look.ripples == 0.0) fixed.push_back({"ripple_slope", 0.0F});
     if (view.look.grain == 0.0) fixed.push_back({"sand_grain", 0.0F});
     const bool smooth = pass == ShadingPass::smooth_pixels;
     const bool plain = smooth || pass == ShadingPass::slid_pixels;
     fixed.push_back({"plain_sand", plain ? 1.0F : 0.0F});
     fixed.push_back({"slid_sand", smooth ? 0.0F : 1.0F});
-    fixed.push_back({"whole_pixels", plain || pass == ShadingPass::pixels ? 1.0F : 0.0F});
+    fixed.push_back({"single_surface_pixels", plain || pass == ShadingPass::pixels ? 1.0F : 0.0F});
     fixed.push_back({"packed_samples", pass == ShadingPass::packed_samples ? 1.0F : 0.0F});
     return fixed;
 }
@@ -58,8 +58,9 @@ WorldLayer::GroundPrograms::GroundPrograms(const gl::Constants& fixed)
       far("common/screen.vert.glsl", "world/world_far.frag.glsl", {}, fixed) {}
 
 WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
-                       const DrawnOrigin& origin, const FarCopies& copies,
-                       const gl::Constants& fixed, const gl::MipmapMaker& mipmaps, bool in_buffer)
+                       const DrawnOrigin& origin, const TileWarp& copies,
+                       const gl::Constants& fixed, const gl::MipmapMaker& mipmaps,
+                       bool has_visibility_buffer)
     : mipmaps_(mipmaps),
       view_(view),
       block_(block),
@@ -79,8 +80,8 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       relief_(relief_texels, relief_texels, detail_layout),
       wander_(wander_texels, wander_texels, wander_layout),
       slip_(slip_texels, slip_texels, detail_layout) {
-    if (in_buffer) {
-        seen_.emplace();
+    if (has_visibility_buffer) {
+        visibility_.emplace();
         copy_program_.emplace("common/screen.vert.glsl", "world/world_visibility_copy.frag.glsl",
                               std::initializer_list<const char*>{}, fixed);
         const auto near = [&](ShadingPass pass) {
@@ -100,7 +101,7 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
 void WorldLayer::build() {
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(array_.name());
-    places_.bind();
+    positions_.bind();
     gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
     gl.EnableVertexAttribArray(0);
     triangles_.bind();
@@ -150,9 +151,9 @@ void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light,
     way_ = prevailing_way(snapshot);
 }
 
-void WorldLayer::look_at(const SeenGround& ground) {
+void WorldLayer::look_at(const VisibleGround& ground) {
     sample_angle_ = ground.sample_angle;
-    near_to_ = ground.near_to;
+    near_limit_ = ground.near_limit;
     ground_ = &ground;
     uploaded_ = false;
 }

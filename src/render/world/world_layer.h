@@ -20,11 +20,11 @@
 #include "render/light/light.h"
 #include "render/light/repeated_light.h"
 #include "render/samples/packed_samples.h"
-#include "render/samples/seen_buffer.h"
+#include "render/samples/visibility_buffer.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/drawn_origin.h"
-#include "render/view/far_copies.h"
+#include "render/view/tile_warp.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -38,11 +38,11 @@ class WorkerPool;
 class WorldLayer {
   public:
     /// Light, heights and shading are of the bed as it is drawn from `origin` on. `mipmaps`
-    /// outlives it. `in_buffer`: what samples see is found by rasterise_buffer(), not by
-    /// rasterise(), and the constant samples_in_buffer is 1.
+    /// outlives it. `has_visibility_buffer`: what samples see is found by rasterise_buffer(), not
+    /// by rasterise(), and the constant visibility_in_buffer is 1.
     WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
-               const DrawnOrigin& origin, const FarCopies& copies, const gl::Constants& fixed,
-               const gl::MipmapMaker& mipmaps, bool in_buffer);
+               const DrawnOrigin& origin, const TileWarp& copies, const gl::Constants& fixed,
+               const gl::MipmapMaker& mipmaps, bool has_visibility_buffer);
 
     /// `heights`: of the bed, block lengths.
     void set_bed(const Snapshot& snapshot, const RepeatedLight& light,
@@ -50,12 +50,13 @@ class WorldLayer {
 
     /// The ground of a bed of those heights as a camera sees it. `samples_high`: of the whole
     /// picture. Asks OpenGL for nothing, and reads nothing that drawing changes.
-    [[nodiscard]] SeenGround ground_seen(const Camera& camera, double samples_high,
-                                         const HeightPyramid& heights, WorkerPool& pool) const;
+    [[nodiscard]] VisibleGround visible_ground(const Camera& camera, double samples_high,
+                                               const HeightPyramid& heights,
+                                               WorkerPool& pool) const;
     /// z of ground of those heights at a place from the bed's middle; likewise.
-    [[nodiscard]] double ground_at(const glm::dvec2& place, const HeightPyramid& heights) const;
+    [[nodiscard]] double ground_at(const glm::dvec2& position, const HeightPyramid& heights) const;
     /// Takes that as the ground to draw, for as long as it lives.
-    void look_at(const SeenGround& ground);
+    void look_at(const VisibleGround& ground);
 
     /// Through what colours are seen from now on, or null; and the sample of the tile's lower left
     /// pixel.
@@ -67,22 +68,22 @@ class WorldLayer {
     /// Where a tile's pixels lie among its samples.
     [[nodiscard]] PixelSamples pixel_samples(const TileFrame& tile) const;
 
-    /// Finds what samples see without OpenGL, as GroundSamples do: of the pixels that may see
+    /// Finds what samples see without OpenGL, as GroundRasteriser do: of the pixels that may see
     /// ground and of the samples beside them. Where pixels have several samples it finds also how
     /// they are shaded.
     void rasterise_buffer(const TileFrame& tile);
     /// Writes that into the bound and cleared target as rasterise() would.
     void copy_visibility(const TileFrame& tile) const;
-    [[nodiscard]] bool in_buffer() const { return seen_.has_value(); }
+    [[nodiscard]] bool has_visibility_buffer() const { return visibility_.has_value(); }
     /// How pixels are shaded, after rasterise_buffer().
-    [[nodiscard]] const PixelKinds& kinds() const { return seen_->kinds(); }
+    [[nodiscard]] const PixelClasses& kinds() const { return visibility_->kinds(); }
 
     /// Writes into the bound target (four floats a sample, depths and stencils) how far from the
-    /// eye the ground is that each sample sees. `tell_far`: lengths on far ground get a minus sign.
-    void rasterise(const Camera& camera, const TileSamples& tile, bool tell_far = true) const;
-    /// See rows_of_ground(): of a picture of so many rows of pixels.
-    [[nodiscard]] int rows_seen(const Camera& camera, int rows) const {
-        return rows_of_ground(ground_->mesh.skyline, camera, rows);
+    /// eye the ground is that each sample sees. `mark_far`: lengths on far ground get a minus sign.
+    void rasterise(const Camera& camera, const TileSamples& tile, bool mark_far = true) const;
+    /// See rows_below_skyline(): of a picture of so many rows of pixels.
+    [[nodiscard]] int ground_rows(const Camera& camera, int rows) const {
+        return rows_below_skyline(ground_->mesh.skyline, camera, rows);
     }
     /// In what follows `visibility` is what rasterise() left; not needed after rasterise_buffer().
     ///
@@ -108,7 +109,7 @@ class WorldLayer {
     [[nodiscard]] glm::mat4 clip_from_eye(const Camera& camera) const;
     /// By how much the planet sinks at a distance of 1, block lengths.
     [[nodiscard]] float curvature() const;
-    /// From the middle of what FarCopies leave as it is, periods.
+    /// From the middle of what TileWarp leave as it is, periods.
     [[nodiscard]] glm::dvec2 eye_from_middle(const Camera& camera) const;
 
   private:
@@ -145,7 +146,7 @@ class WorldLayer {
     void bind_visibility(const gl::Program& program, const gl::Texture2D* visibility) const;
     void bind_map_levels(const BedShading& shading, bool alone) const;
     void upload_mesh() const;
-    [[nodiscard]] pixel_vectors::Bounds pixel_bounds(const Camera& camera) const;
+    [[nodiscard]] pixel_class_vectors::ClassBounds pixel_bounds(const Camera& camera) const;
     /// From the middle of the drawn bed, at most half of it away along each side.
     [[nodiscard]] glm::dvec3 reduced_eye(const Camera& camera) const;
     void set_eye(const gl::Program& program, const Camera& camera) const;
@@ -157,13 +158,13 @@ class WorldLayer {
     float cell_;                ///< of the drawn bed, block lengths
     double ripple_wavelength_;  ///< block lengths
     DrawnOrigin origin_;
-    FarCopies copies_;
+    TileWarp copies_;
     std::shared_ptr<const HeightPyramid> heights_;
-    SlidCells slid_;
+    AvalancheCells slid_;
     std::int64_t step_ = 0;
     Way way_;
     double sample_angle_ = 0.0;  ///< between two samples in the middle of the picture
-    double near_to_ = 0.0;       ///< a ripple is not seen beyond, block lengths
+    double near_limit_ = 0.0;    ///< a ripple is not seen beyond, block lengths
     gl::Program visibility_program_;
     std::optional<gl::Program> copy_program_;  // after rasterise_buffer()
     gl::Program upsample_program_;
@@ -176,11 +177,11 @@ class WorldLayer {
     gl::RenderTarget slip_;
     gl::VertexArray array_;
     gl::VertexArray no_attributes_;
-    mutable gl::DynamicBuffer places_{GL_ARRAY_BUFFER};
+    mutable gl::DynamicBuffer positions_{GL_ARRAY_BUFFER};
     mutable gl::DynamicBuffer triangles_{GL_ELEMENT_ARRAY_BUFFER};
     mutable bool uploaded_ = false;  // with the ground of now
-    std::optional<SeenBuffer> seen_;
-    const SeenGround* ground_ = nullptr;
+    std::optional<VisibilityBuffer> visibility_;
+    const VisibleGround* ground_ = nullptr;
     const StreamerLayer* streamers_ = nullptr;
     glm::ivec2 first_of_tile_{0};
 };

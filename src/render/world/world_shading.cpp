@@ -26,7 +26,7 @@ void WorldLayer::set_eye(const gl::Program& program, const Camera& camera) const
     program.set("eye", glm::vec3(reduced_eye(camera)));
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
     program.set("eye_from_middle", glm::vec2(eye_from_middle(camera)));
-    program.set("copy_strength", static_cast<float>(copies_.strength()));
+    program.set("warp_strength", static_cast<float>(copies_.strength()));
     program.set("curvature", curvature());
 }
 
@@ -48,8 +48,8 @@ void WorldLayer::set_detail(const gl::Program& program, const Camera& camera) co
 
 void WorldLayer::bind_visibility(const gl::Program& program,
                                  const gl::Texture2D* visibility) const {
-    if (seen_) {
-        seen_->bind(program, visibility_unit);
+    if (visibility_) {
+        visibility_->bind(program, visibility_unit);
     } else if (visibility != nullptr) {
         visibility->bind(visibility_unit);
         program.set("offsets", visibility_unit);
@@ -86,9 +86,9 @@ void WorldLayer::bind(const gl::Program& program, const gl::Texture2D* visibilit
 void WorldLayer::bind_map_levels(const BedShading& shading, bool alone) const {
     const auto bind_map = [&](const gl::Texture2D& map, int unit) {
         if (alone) {
-            map.bind_level(0, unit);
+            map.bind_mip_level(0, unit);
         } else {
-            map.bind_all_levels(unit);
+            map.bind_all_mip_levels(unit);
         }
     };
     bind_map(shading.lighting(), 0);
@@ -115,11 +115,11 @@ void WorldLayer::shade_pixels(const FrameTargets& targets, const BedShading& sha
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
     };
     bind_map_levels(shading, true);
-    draw(pixel_programs_->smooth, pixel_vectors::smooth);
-    draw(pixel_programs_->slid, pixel_vectors::slid);
+    draw(pixel_programs_->smooth, pixel_class_vectors::smooth);
+    draw(pixel_programs_->slid, pixel_class_vectors::slid);
     bind_map_levels(shading, false);
-    draw(pixel_programs_->others.near, pixel_vectors::near);
-    draw(pixel_programs_->others.far, pixel_vectors::far);
+    draw(pixel_programs_->others.near, pixel_class_vectors::near);
+    draw(pixel_programs_->others.far, pixel_class_vectors::far);
     gl.Disable(GL_STENCIL_TEST);
     gl.BindVertexArray(0);
 }

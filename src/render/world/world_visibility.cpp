@@ -10,10 +10,10 @@
 
 namespace fumon {
 
-pixel_vectors::Bounds WorldLayer::pixel_bounds(const Camera& camera) const {
+pixel_class_vectors::ClassBounds WorldLayer::pixel_bounds(const Camera& camera) const {
     const glm::dvec2 from_middle = eye_from_middle(camera);
     const glm::dvec3 eye = reduced_eye(camera);
-    return {static_cast<float>(near_to_),
+    return {static_cast<float>(near_limit_),
             static_cast<float>(least_slip_slope * block_.exaggeration),
             1.0F / cell_,
             static_cast<float>(block_.width_x),
@@ -21,19 +21,19 @@ pixel_vectors::Bounds WorldLayer::pixel_bounds(const Camera& camera) const {
             copies_.varied(),
             static_cast<float>(from_middle.x),
             static_cast<float>(from_middle.y),
-            {slid_.words.data(), slid_.words_a_row(), slid_.nx, slid_.ny, block_.tiles.plain,
+            {slid_.words.data(), slid_.words_per_row(), slid_.nx, slid_.ny, block_.tiles.plain,
              static_cast<float>(eye.x), static_cast<float>(eye.y)}};
 }
 
 void WorldLayer::upload_mesh() const {
     if (uploaded_) return;
-    places_.fill(ground_->mesh.places);
+    positions_.fill(ground_->mesh.positions);
     triangles_.fill(ground_->mesh.triangles);
     uploaded_ = true;
 }
 
 PixelSamples WorldLayer::pixel_samples(const TileFrame& tile) const {
-    const int rows = rows_seen(tile.camera, tile.picture().y) - tile.rows_below();
+    const int rows = ground_rows(tile.camera, tile.picture().y) - tile.rows_below();
     return {tile.first_in_target(), tile.plan.factor, std::clamp(rows, 0, tile.tile.height),
             tile.tile.width, tile.tile.height};
 }
@@ -48,14 +48,14 @@ void WorldLayer::rasterise_buffer(const TileFrame& tile) {
     const glm::ivec2 size(at.factor * at.columns + before.x + 1,
                           at.factor * (at.rows + 1) + before.y);
     const glm::ivec2 first = at.first - before;
-    std::optional<SeenBuffer::Pixels> pixels;
+    std::optional<VisibilityBuffer::Pixels> pixels;
     if (at.factor > 1) {
         pixels.emplace();
         pixels->grid = {before, at.factor, at.columns, at.rows, at.all_rows};
         pixels->bounds = pixel_bounds(camera);
     }
-    seen_->see(
-        {mesh.places, triangles.first(mesh.near_indices), triangles.subspan(mesh.near_indices)},
+    visibility_->rasterise(
+        {mesh.positions, triangles.first(mesh.near_indices), triangles.subspan(mesh.near_indices)},
         at_origin(camera, fan_of(camera, *heights_)),
         {at.factor * tile.picture(), tile.target_corner() + first, size}, first, pixels, tile.pool);
 }
@@ -72,7 +72,7 @@ void WorldLayer::copy_visibility(const TileFrame& tile) const {
     gl.BindVertexArray(no_attributes_.name());
     const Camera there = at_origin(camera, fan_of(camera, *heights_));
     copy_program_->use();
-    seen_->bind(*copy_program_, visibility_unit);
+    visibility_->bind(*copy_program_, visibility_unit);
     copy_program_->set("depth_range", glm::vec2(there.near_depth, there.far_depth));
     for (const GLint ground : {near_stencil, far_stencil}) {
         copy_program_->set("ground", ground);
@@ -84,7 +84,7 @@ void WorldLayer::copy_visibility(const TileFrame& tile) const {
     gl.BindVertexArray(0);
 }
 
-void WorldLayer::rasterise(const Camera& camera, const TileSamples& tile, bool tell_far) const {
+void WorldLayer::rasterise(const Camera& camera, const TileSamples& tile, bool mark_far) const {
     const gl::Functions& gl = gl::functions();
     gl.Enable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
@@ -100,7 +100,7 @@ void WorldLayer::rasterise(const Camera& camera, const TileSamples& tile, bool t
     const auto all = static_cast<GLsizei>(ground_->mesh.triangles.size());
     const auto draw = [&](GLint stencil, GLsizei first, GLsizei count) {
         if (count == 0) return;
-        visibility_program_.set("side", tell_far && stencil == far_stencil ? -1.0F : 1.0F);
+        visibility_program_.set("side", mark_far && stencil == far_stencil ? -1.0F : 1.0F);
         gl.StencilFunc(GL_ALWAYS, stencil, 0xFF);
         gl.DrawElements(
             GL_TRIANGLES, count, GL_UNSIGNED_INT,

@@ -57,7 +57,7 @@ extern "C" void tell_crash(int signal) {
 
 void note_end_of_memory() {
     memory_ended = 1;
-    gl::leave_drivers_alone();
+    gl::abandon_drivers();
     throw std::bad_alloc();
 }
 

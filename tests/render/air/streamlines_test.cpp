@@ -57,7 +57,8 @@ TEST(Streamlines, KeepTheirDistanceAndLeaveNoGaps) {
         double least = 1e9;
         for (const Streamline& line : lines) {
             if (&line == without) continue;
-            for (const glm::dvec2 place : line) least = std::min(least, pixels_between(at, place));
+            for (const glm::dvec2 position : line)
+                least = std::min(least, pixels_between(at, position));
         }
         return least;
     };

@@ -97,10 +97,10 @@ TEST(ColourRange, FollowsWhatIsColoured) {
     EXPECT_EQ(range_of(look, first, first), (std::pair{-3.0, 8.0}));
 }
 
-DrawnColours colours_of(const LookSettings& look, const Snapshot& snapshot,
-                        const DrawnColours& former, bool keeps) {
-    return drawn_colours(look, snapshot, coloured_values(look.colour_by, snapshot, snapshot),
-                         former, keeps);
+FrameColourRange colours_of(const LookSettings& look, const Snapshot& snapshot,
+                            const FrameColourRange& former, bool keeps) {
+    return frame_colour_range(look, snapshot, coloured_values(look.colour_by, snapshot, snapshot),
+                              former, keeps);
 }
 
 TEST(ColourRange, IsKeptFromTheFirstPictureWhoseValuesDiffer) {
@@ -111,23 +111,23 @@ TEST(ColourRange, IsKeptFromTheFirstPictureWhoseValuesDiffer) {
     for (double& height : higher.bed.values()) height += 0.5;
     LookSettings look;
     look.colour_by = Colouring::height;
-    const DrawnColours none = colours_of(look, flat, {}, true);
+    const FrameColourRange none = colours_of(look, flat, {}, true);
     EXPECT_FALSE(none.kept);
     EXPECT_EQ(none.low, 1.5);
     EXPECT_EQ(none.high, 2.5);
-    const DrawnColours one = colours_of(look, first, none, true);
+    const FrameColourRange one = colours_of(look, first, none, true);
     EXPECT_TRUE(one.kept);
     EXPECT_FALSE(one.values_below || one.values_above);
     const auto alone = range_of(look, first, first);
     EXPECT_EQ(std::pair(one.low, one.high), alone);
-    const DrawnColours later = colours_of(look, higher, one, true);
+    const FrameColourRange later = colours_of(look, higher, one, true);
     EXPECT_EQ(std::pair(later.low, later.high), alone);
     EXPECT_TRUE(later.values_above);
     EXPECT_FALSE(later.values_below);
     EXPECT_FALSE(colours_of(look, first, {}, false).kept) << "a picture by itself";
 
     look.range = ColourSpan::frame;
-    const DrawnColours own = colours_of(look, higher, colours_of(look, first, {}, true), true);
+    const FrameColourRange own = colours_of(look, higher, colours_of(look, first, {}, true), true);
     EXPECT_NEAR(own.low, alone.first + 0.5, 1e-6);
     EXPECT_FALSE(own.kept || own.values_above);
 }

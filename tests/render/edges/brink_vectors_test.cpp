@@ -31,9 +31,9 @@ float between(const Field<float>& field, float u, float v) {
 float mean_along(const Field<float>& field, int x, int y, float east, float north, float step) {
     float sum = 0.0F;
     float weights = 0.0F;
-    for (int i = -brink_vectors::places_aside; i <= brink_vectors::places_aside; ++i) {
+    for (int i = -brink_vectors::positions_aside; i <= brink_vectors::positions_aside; ++i) {
         const float away = step * static_cast<float>(i);
-        const auto weight = static_cast<float>(brink_vectors::places_aside + 1 - std::abs(i));
+        const auto weight = static_cast<float>(brink_vectors::positions_aside + 1 - std::abs(i));
         sum += weight * between(field,
                                 std::clamp(static_cast<float>(x) + away * east, 0.0F,
                                            static_cast<float>(field.nx() - 1)),

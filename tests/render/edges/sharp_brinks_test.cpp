@@ -16,7 +16,7 @@ constexpr int coarse = 40;
 constexpr int refinement = 4;
 
 /// Where a fine cell lies among coarse ones.
-float place(int fine) {
+float position(int fine) {
     return (static_cast<float>(fine) + 0.5F) / refinement - 0.5F;
 }
 
@@ -44,7 +44,8 @@ float strays(const Field<float>& fine, float eastward, float northward) {
         int x = 1;
         while (slope(x + 1) > falls) ++x;
         const float share = (slope(x) - falls) / (slope(x) - slope(x + 1));
-        const float across = eastward * (place(x) + share / refinement) + northward * place(y);
+        const float across =
+            eastward * (position(x) + share / refinement) + northward * position(y);
         least = std::min(least, across);
         most = std::max(most, across);
     }
@@ -55,7 +56,7 @@ float farthest_from_brink(const Field<float>& fine, float eastward, float northw
     float farthest = 0.0F;
     for (int y = 10 * refinement; y < 30 * refinement; ++y) {
         for (int x = 10 * refinement; x < 30 * refinement; ++x) {
-            const float exact = stoss_and_slip_face(place(x), place(y), eastward, northward);
+            const float exact = stoss_and_slip_face(position(x), position(y), eastward, northward);
             farthest = std::max(farthest, std::abs(fine(x, y) - exact));
         }
     }
@@ -123,7 +124,7 @@ TEST(SharpBrinks, SmoothGroundIsAsItWasAndTheFootOfASlipFaceIsAnEdge) {
     const Field<float> fine = refined_with_brinks(foot, 1.0F, 1.0F, refinement, pool);
     const int row = 20 * refinement;
     for (int x = 19 * refinement; x < 22 * refinement; ++x)
-        EXPECT_NEAR(fine(x, row), std::max(0.0F, 0.65F * (place(x) - 20.4F)), 0.02F) << x;
+        EXPECT_NEAR(fine(x, row), std::max(0.0F, 0.65F * (position(x) - 20.4F)), 0.02F) << x;
 }
 
 TEST(SharpBrinks, AreTheSameOnAnyNumberOfThreads) {

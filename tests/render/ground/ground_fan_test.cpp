@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/worker_pool.h"
-#include "render/view/far_copies_vectors.h"
+#include "render/view/tile_warp_vectors.h"
 
 namespace fumon {
 namespace {
@@ -42,10 +42,10 @@ GroundFan eastward() {
 
 /// How high the highest place between two distances looks, by a mesh along a ray.
 double highest_in_mesh(const GroundMesh& mesh, int rays, int ray, double from, double to) {
-    const std::size_t rings = mesh.places.size() / static_cast<std::size_t>(rays);
+    const std::size_t rings = mesh.positions.size() / static_cast<std::size_t>(rays);
     double highest = -1e9;
     for (std::size_t i = 0; i < rings; ++i) {
-        const glm::dvec3 at(mesh.places[static_cast<std::size_t>(ray) * rings + i]);
+        const glm::dvec3 at(mesh.positions[static_cast<std::size_t>(ray) * rings + i]);
         const double distance = std::hypot(at.x, at.y);
         if (distance > from && distance < to) highest = std::max(highest, at.z / distance);
     }
@@ -53,10 +53,10 @@ double highest_in_mesh(const GroundMesh& mesh, int rays, int ray, double from, d
 }
 
 double height_at(const GroundFan& fan, const HeightPyramid& bed, const glm::dvec2& offset) {
-    GroundCopy copy;
-    if (fan.strength > 0.0) copy = far_copies::copy_at(fan.eye_from_middle + offset, fan.strength);
-    const glm::dvec2 place = glm::dvec2(fan.eye) + 0.5 + offset + copy.aside;
-    const auto z = static_cast<double>(bed.at(0, place.x, place.y));
+    WarpedGround copy;
+    if (fan.strength > 0.0) copy = tile_warp::warp_at(fan.eye_from_middle + offset, fan.strength);
+    const glm::dvec2 position = glm::dvec2(fan.eye) + 0.5 + offset + copy.offset;
+    const auto z = static_cast<double>(bed.at(0, position.x, position.y));
     return fan.mean + copy.height * (z - fan.mean);
 }
 
@@ -103,8 +103,8 @@ TEST(GroundFan, StandsEverywhereAsItsCopiesDo) {
     WorkerPool pool(2);
     const GroundMesh mesh = ground_mesh(fan, bed, pool);
     int far = 0;
-    for (std::size_t i = 0; i < mesh.places.size(); i += 97) {
-        const glm::dvec3 at(mesh.places[i]);
+    for (std::size_t i = 0; i < mesh.positions.size(); i += 97) {
+        const glm::dvec3 at(mesh.positions[i]);
         const double range = std::hypot(at.x, at.y);
         if (range > 3.0) continue;
         far += range > 1.5 ? 1 : 0;
@@ -123,12 +123,12 @@ TEST(GroundFan, LeavesOutWhatIsHiddenAndNoMore) {
     const GroundMesh mesh = ground_mesh(fan, bed, pool);
     EXPECT_LT(mesh.triangles.size(), all_seen / 2);
     // Of each ray what looks highest is still drawn.
-    std::vector<bool> drawn(mesh.places.size(), false);
+    std::vector<bool> drawn(mesh.positions.size(), false);
     for (const std::uint32_t corner : mesh.triangles) drawn[corner] = true;
-    const std::size_t rings = mesh.places.size() / static_cast<std::size_t>(fan.rays);
+    const std::size_t rings = mesh.positions.size() / static_cast<std::size_t>(fan.rays);
     for (int ray = 0; ray < fan.rays; ++ray) {
         const auto tangent = [&](std::size_t i) {
-            const glm::dvec3 at(mesh.places[i]);
+            const glm::dvec3 at(mesh.positions[i]);
             return at.z / std::hypot(at.x, at.y);
         };
         const std::size_t first = static_cast<std::size_t>(ray) * rings;
@@ -142,11 +142,11 @@ TEST(GroundFan, LeavesOutWhatIsHiddenAndNoMore) {
 /// Corners that are left out, and to which nothing stands in the way from an eye aside and above.
 int missed_from(const glm::dvec3& aside, const GroundFan& fan, const HeightPyramid& bed,
                 const GroundMesh& mesh) {
-    std::vector<bool> drawn(mesh.places.size(), false);
+    std::vector<bool> drawn(mesh.positions.size(), false);
     for (const std::uint32_t corner : mesh.triangles) drawn[corner] = true;
     int missed = 0;
-    for (std::size_t i = 0; i < mesh.places.size(); i += 7) {
-        const glm::dvec3 at(mesh.places[i]);
+    for (std::size_t i = 0; i < mesh.positions.size(); i += 7) {
+        const glm::dvec3 at(mesh.positions[i]);
         if (drawn[i] || std::hypot(at.x, at.y) > 1.5) continue;
         double clear = 1e9;
         for (double share = 0.02; share < 0.98; share += 0.004) {
@@ -176,7 +176,7 @@ TEST(GroundFan, AllPointsOfALensSeeTheGround) {
     const GroundMesh of_pinhole = ground_mesh(fan, bed, pool);
     fan.lens = radius;
     const GroundMesh of_lens = ground_mesh(fan, bed, pool);
-    EXPECT_LT(of_lens.triangles.size(), of_lens.places.size() * 5);
+    EXPECT_LT(of_lens.triangles.size(), of_lens.positions.size() * 5);
     for (const glm::dvec3 aside : {glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(0.0, -1.0, 0.0),
                                    glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.0, 0.6, 0.8)}) {
         EXPECT_GT(missed_from(radius * aside, fan, bed, of_pinhole), 0) << aside.y;
@@ -190,7 +190,7 @@ TEST(GroundFan, IsTheSameForAnyNumberOfThreads) {
     WorkerPool three(3);
     const GroundMesh expected = ground_mesh(eastward(), bed, one);
     const GroundMesh mesh = ground_mesh(eastward(), bed, three);
-    EXPECT_EQ(mesh.places, expected.places);
+    EXPECT_EQ(mesh.positions, expected.positions);
     EXPECT_EQ(mesh.triangles, expected.triangles);
 }
 

@@ -8,13 +8,13 @@
 #include <string>
 
 #include "render/ground/height_pyramid.h"
-#include "render/view/far_copies_vectors.h"
+#include "render/view/tile_warp_vectors.h"
 #include "vectors/target.h"
 
 namespace fumon {
 namespace {
 
-using Numbers = std::array<double, ground_vectors::places_at_once>;
+using Numbers = std::array<double, ground_vectors::samples_per_batch>;
 
 HeightPyramid rough_heights(const GroundTiles& tiles) {
     Field<float> heights(38, 21);
@@ -47,9 +47,9 @@ void expect_looked_up(const GroundTiles& tiles) {
                 vectors::use_target(target);
                 Numbers over{};
                 Numbers tangents{};
-                ground_vectors::look_at({means.data(), means.nx(), means.ny(), tiles}, eye,
-                                        {radii.data(), east.data(), north.data(), nullptr}, count,
-                                        over.data(), tangents.data());
+                ground_vectors::evaluate({means.data(), means.nx(), means.ny(), tiles}, eye,
+                                         {radii.data(), east.data(), north.data(), nullptr}, count,
+                                         over.data(), tangents.data());
                 for (std::size_t k = 0; k < count; ++k) {
                     const double radius = radii[k];
                     const auto height = static_cast<double>(bed.at(level, east[k], north[k]));
@@ -69,23 +69,23 @@ TEST(GroundVectors, EveryTargetSeesWhatIsLookedUpPlaceByPlace) {
 
 TEST(GroundVectors, EveryTargetFindsTheSameFarCopies) {
     const std::string before = vectors::target();
-    constexpr auto count = std::size_t{2} * ground_vectors::places_at_once;
+    constexpr auto count = std::size_t{2} * ground_vectors::samples_per_batch;
     std::array<double, count> radii{};
     for (std::size_t k = 0; k < count; ++k) radii[k] = 0.1 + 0.7 * static_cast<double>(k);
-    const ground_vectors::CopiedRay ray{0.1, -0.2, -0.83, 0.61, 0.83};
+    const ground_vectors::WarpedRay ray{0.1, -0.2, -0.83, 0.61, 0.83};
     for (const std::string& target : vectors::targets()) {
         vectors::use_target(target);
         std::array<double, count> east{};
         std::array<double, count> north{};
         std::array<double, count> height{};
-        ground_vectors::copies_along(ray, radii.data(), static_cast<int>(count), east.data(),
-                                     north.data(), height.data());
+        ground_vectors::warp_along_ray(ray, radii.data(), static_cast<int>(count), east.data(),
+                                       north.data(), height.data());
         for (std::size_t k = 0; k < count; ++k) {
-            const GroundCopy copy =
-                far_copies::copy_at({ray.east + radii[k] * ray.east_per_length,
-                                     ray.north + radii[k] * ray.north_per_length},
-                                    ray.strength);
-            EXPECT_EQ(glm::dvec2(east[k], north[k]), copy.aside) << target << ", " << radii[k];
+            const WarpedGround copy =
+                tile_warp::warp_at({ray.east + radii[k] * ray.east_per_length,
+                                    ray.north + radii[k] * ray.north_per_length},
+                                   ray.strength);
+            EXPECT_EQ(glm::dvec2(east[k], north[k]), copy.offset) << target << ", " << radii[k];
             EXPECT_EQ(height[k], copy.height) << target << ", " << radii[k];
         }
     }
@@ -106,9 +106,9 @@ TEST(GroundVectors, HeightsCountFromTheMean) {
     raised[1] = 1.0;
     Numbers over{};
     Numbers tangents{};
-    ground_vectors::look_at({means.data(), means.nx(), means.ny(), {}}, {0.37, 0.0, 0.4},
-                            {radii.data(), east.data(), north.data(), raised.data()}, 2,
-                            over.data(), tangents.data());
+    ground_vectors::evaluate({means.data(), means.nx(), means.ny(), {}}, {0.37, 0.0, 0.4},
+                             {radii.data(), east.data(), north.data(), raised.data()}, 2,
+                             over.data(), tangents.data());
     const auto height = static_cast<double>(bed.at(0, 0.3, 0.8));
     EXPECT_NEAR(over[0], 0.4 + 0.67 * (height - 0.4) - 0.37, 1e-12);
     EXPECT_EQ(over[1], height - 0.37);

@@ -49,7 +49,7 @@ Camera looking(double elevation, double roll) {
 double highest_row(const GroundMesh& mesh, const Camera& camera, int rows) {
     double highest = 0.0;
     for (const std::uint32_t corner : mesh.triangles) {
-        const glm::dvec3 at(mesh.places[corner]);
+        const glm::dvec3 at(mesh.positions[corner]);
         const double ahead = glm::dot(camera.forward, at);
         if (ahead <= 0.0) continue;
         const double over = glm::dot(camera.up, at) / (camera.half.y * ahead);
@@ -68,7 +68,7 @@ TEST(Skyline, NoGroundIsSeenAboveItAndSomeJustBelow) {
             for (const double roll : {0.0, -12.0, 30.0}) {
                 const Camera camera = looking(elevation, roll);
                 const double highest = highest_row(mesh, camera, rows);
-                const int found = rows_of_ground(mesh.skyline, camera, rows);
+                const int found = rows_below_skyline(mesh.skyline, camera, rows);
                 EXPECT_GE(found, highest) << elevation << ", " << roll;
                 EXPECT_LE(found, highest + 4.0) << elevation << ", " << roll;
             }
@@ -81,12 +81,12 @@ TEST(Skyline, WhereItIsNoneAllRowsAreTaken) {
     const HeightPyramid bed = hills();
     WorkerPool pool(1);
     const GroundMesh mesh = ground_mesh(northward(0.2), bed, pool);
-    EXPECT_LT(rows_of_ground(mesh.skyline, looking(0.0, 0.0), rows), rows);
-    EXPECT_EQ(rows_of_ground(mesh.skyline, looking(0.0, 180.0), rows), rows) << "upside down";
-    EXPECT_EQ(rows_of_ground(mesh.skyline, looking(-85.0, 0.0), rows), rows) << "straight down";
+    EXPECT_LT(rows_below_skyline(mesh.skyline, looking(0.0, 0.0), rows), rows);
+    EXPECT_EQ(rows_below_skyline(mesh.skyline, looking(0.0, 180.0), rows), rows) << "upside down";
+    EXPECT_EQ(rows_below_skyline(mesh.skyline, looking(-85.0, 0.0), rows), rows) << "straight down";
     Camera parallel = looking(0.0, 0.0);
     parallel.perspective = false;
-    EXPECT_EQ(rows_of_ground(mesh.skyline, parallel, rows), rows);
+    EXPECT_EQ(rows_below_skyline(mesh.skyline, parallel, rows), rows);
 }
 
 }  // namespace

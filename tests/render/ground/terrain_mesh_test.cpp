@@ -19,13 +19,13 @@ constexpr double largest_error = 0.5;  // pixels, of a vertex that is left out
 std::vector<float> rough_heights(const TerrainLattice& lattice) {
     std::vector<float> heights;
     std::uint32_t random = 1;
-    for (const MeshPlace& place : lattice.places) {
+    for (const MeshPosition& position : lattice.positions) {
         random = random * 1664525U + 1013904223U;
         const double noise = static_cast<double>(random >> 16U) / 65536.0;
-        const double cliff = place.east + 0.3 * place.north > 0.8 ? 9.0 : 0.0;
-        const double rough = place.north > 0.7 ? noise : 0.0;
-        heights.push_back(static_cast<float>(4.0 * std::sin(9.0 * place.east + 3.0 * place.north) +
-                                             cliff + rough));
+        const double cliff = position.east + 0.3 * position.north > 0.8 ? 9.0 : 0.0;
+        const double rough = position.north > 0.7 ? noise : 0.0;
+        heights.push_back(static_cast<float>(
+            4.0 * std::sin(9.0 * position.east + 3.0 * position.north) + cliff + rough));
     }
     return heights;
 }
@@ -38,9 +38,9 @@ TerrainMesh meshed(const TerrainLattice& lattice, const std::vector<float>& heig
 
 double twice_area(const TerrainLattice& lattice, const TerrainMesh& mesh, std::size_t triangle) {
     const std::uint32_t* of = mesh.triangles.data() + 3 * triangle;
-    const MeshPlace a = lattice.places[of[0]];
-    const MeshPlace b = lattice.places[of[1]];
-    const MeshPlace c = lattice.places[of[2]];
+    const MeshPosition a = lattice.positions[of[0]];
+    const MeshPosition b = lattice.positions[of[1]];
+    const MeshPosition c = lattice.positions[of[2]];
     return (b.east - a.east) * (c.north - a.north) - (c.east - a.east) * (b.north - a.north);
 }
 
@@ -81,9 +81,11 @@ TEST(TerrainMesh, CoversTheBedWithoutCracks) {
             }
             EXPECT_EQ(open, mesh.sides.size());  // all of them at the border, and faced
             for (const SideFace& side : mesh.sides) {
-                const MeshPlace a = lattice.places[side.from];
-                const MeshPlace b = lattice.places[side.to];
-                const auto border = [](float place) { return place == 0.0F || place == 1.0F; };
+                const MeshPosition a = lattice.positions[side.from];
+                const MeshPosition b = lattice.positions[side.to];
+                const auto border = [](float position) {
+                    return position == 0.0F || position == 1.0F;
+                };
                 EXPECT_TRUE((a.east == b.east && border(a.east)) ||
                             (a.north == b.north && border(a.north)));
             }
@@ -98,19 +100,19 @@ std::vector<double> distances(const TerrainLattice& lattice, const std::vector<f
     for (std::size_t i = 0; i < mesh.triangles.size() / 3; ++i) {
         const std::array<std::uint32_t, 3> of{mesh.triangles[3 * i], mesh.triangles[3 * i + 1],
                                               mesh.triangles[3 * i + 2]};
-        std::array<MeshPlace, 3> at{};
+        std::array<MeshPosition, 3> at{};
         std::array<double, 3> z{};
         for (std::size_t k = 0; k < 3; ++k) {
-            at[k] = lattice.places[of[k]];
+            at[k] = lattice.positions[of[k]];
             z[k] = heights[of[k]];
         }
         const double whole = twice_area(lattice, mesh, i);
         for (std::size_t v = 0; v < heights.size(); ++v) {
-            const MeshPlace p = lattice.places[v];
+            const MeshPosition p = lattice.positions[v];
             std::array<double, 3> share{};
             for (std::size_t k = 0; k < 3; ++k) {
-                const MeshPlace a = at[(k + 1) % 3];
-                const MeshPlace b = at[(k + 2) % 3];
+                const MeshPosition a = at[(k + 1) % 3];
+                const MeshPosition b = at[(k + 2) % 3];
                 share[k] = ((b.east - a.east) * (p.north - a.north) -
                             (p.east - a.east) * (b.north - a.north)) /
                            whole;
@@ -139,7 +141,7 @@ TEST(TerrainMesh, KeepsToTheBedWithinAPixel) {
 
 TEST(TerrainMesh, IsCoarserFarFromTheEye) {
     const TerrainLattice lattice = terrain_lattice(64, 64, Mask(), 1);
-    std::vector<float> heights(lattice.places.size());
+    std::vector<float> heights(lattice.positions.size());
     for (std::size_t i = 0; i < heights.size(); ++i)
         heights[i] = (i % 66) % 2 == 0 ? 0.4F : 0.0F;  // each second column is a ridge
     ScreenScale scale;
@@ -149,15 +151,15 @@ TEST(TerrainMesh, IsCoarserFarFromTheEye) {
     std::size_t near = 0;
     std::size_t far = 0;
     for (const std::uint32_t vertex : mesh.triangles) {
-        near += lattice.places[vertex].north < 0.25F ? 1U : 0U;
-        far += lattice.places[vertex].north > 0.75F ? 1U : 0U;
+        near += lattice.positions[vertex].north < 0.25F ? 1U : 0U;
+        far += lattice.positions[vertex].north > 0.75F ? 1U : 0U;
     }
     EXPECT_GT(near, 3 * far);
 }
 
 TEST(TerrainMesh, AFlatBedTakesFewTriangles) {
     const TerrainLattice lattice = terrain_lattice(63, 63, Mask(), 1);  // 64 quads
-    const std::vector<float> heights(lattice.places.size(), 1.0F);
+    const std::vector<float> heights(lattice.positions.size(), 1.0F);
     EXPECT_EQ(meshed(lattice, heights, 1).triangles.size(), 64U * 64U * 6U);
     EXPECT_EQ(meshed(lattice, heights, 8).triangles.size(), 8U * 8U * 6U);
 }
@@ -168,7 +170,7 @@ TEST(TerrainMesh, AMaskedRimHasOneFaceForEachOpenSide) {
     const TerrainLattice whole = terrain_lattice(9, 7, Mask(), 1);
     const TerrainLattice holed = terrain_lattice(9, 7, nodata, 1);
     for (const int square : {1, 4, 8}) {
-        const std::vector<float> heights(whole.places.size(), 0.0F);
+        const std::vector<float> heights(whole.positions.size(), 0.0F);
         const TerrainMesh mesh = meshed(holed, heights, square);
         const double quad = area(whole, meshed(whole, heights, square)) - area(holed, mesh);
         EXPECT_NEAR(quad, 4.0 / (9.0 * 7.0), 1e-6);
@@ -187,7 +189,7 @@ TEST(TerrainMesh, TheLatticeIsAsFineAsTheScreen) {
     EXPECT_GE(largest_square(2.5), 4);
     for (const int stride : {1, 2, 4}) {
         const TerrainLattice lattice = terrain_lattice(21, 14, Mask(), stride);
-        EXPECT_EQ(lattice.places.size(), lattice.cells.size());
+        EXPECT_EQ(lattice.positions.size(), lattice.cells.size());
         for (const std::uint32_t cell : lattice.cells) EXPECT_LT(cell, 21U * 14U);
     }
 }

@@ -19,7 +19,8 @@ double drops_in_rain(double rate) {
 TEST(DropRings, TwiceTheRainHasTwiceTheDrops) {
     const double lighter = drops_in_rain(30.0);
     EXPECT_NEAR(drops_in_rain(60.0) / lighter, 2.0, 0.05);
-    const double expected = ring_drops(30.0) / ring_layers * ring_tile * ring_tile * ring_life;
+    const double expected =
+        ring_drop_rate(30.0) / ring_layers * ring_tile_m * ring_tile_m * ring_lifetime_s;
     EXPECT_NEAR(lighter / expected, 1.0, 0.03);
 }
 
@@ -33,7 +34,7 @@ TEST(DropRings, ADropIsTheSameOneInTheNextFrame) {
     const std::vector<FallenDrop> after = fallen_drops(1200.1 + frame, 50.0);
     std::size_t lasting = 0;
     for (const FallenDrop& drop : before) {
-        if (drop.age + frame >= ring_life) continue;
+        if (drop.age + frame >= ring_lifetime_s) continue;
         ++lasting;
         EXPECT_TRUE(std::ranges::any_of(after, [&](const FallenDrop& later) {
             return later.x == drop.x && later.y == drop.y && later.age > drop.age;

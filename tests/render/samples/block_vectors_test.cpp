@@ -19,38 +19,38 @@ float next_share(std::uint32_t& state) {
 }
 
 TEST(BlockVectors, CornersStandWhereTheirPlacesAreSeenOnEveryTarget) {
-    const Placed placed{{256000.0, 12000.0, -3000.0, 7000.0},
-                        {-900.0, 301000.0, 88000.0, 100.0},
-                        {0.0, 0.0, 0.0, 1.5},
-                        {0.4, -0.3, 0.2, 2.0},
-                        0.1};
-    const auto value = [](const Linear& of, double east, double north, double height) {
+    const VertexProjection projection{{256000.0, 12000.0, -3000.0, 7000.0},
+                                      {-900.0, 301000.0, 88000.0, 100.0},
+                                      {0.0, 0.0, 0.0, 1.5},
+                                      {0.4, -0.3, 0.2, 2.0},
+                                      0.1};
+    const auto value = [](const AffineFunction& of, double east, double north, double height) {
         return of.east * east + of.north * north + of.height * height + of.constant;
     };
     for (const std::string& target : vectors::targets()) {
         vectors::use_target(target);
         for (const std::size_t count : {std::size_t{1}, std::size_t{8}, std::size_t{29}}) {
             std::uint32_t state = 3;
-            std::vector<float> places;
+            std::vector<float> positions;
             std::vector<float> heights;
             for (std::size_t i = 0; i < count; ++i) {
-                places.push_back(next_share(state));
-                places.push_back(next_share(state));
+                positions.push_back(next_share(state));
+                positions.push_back(next_share(state));
                 heights.push_back(next_share(state));
             }
-            triangle_vectors::Corners corners;
-            corners.resize(count + 3);
-            corners.x.back() = 77;
-            place_corners(placed, places.data(), heights.data(), count, corners, 2);
-            EXPECT_EQ(corners.x.back(), 77) << "written past the end";
+            rasteriser_vectors::ProjectedVertices vertices;
+            vertices.resize(count + 3);
+            vertices.x.back() = 77;
+            project_vertices(projection, positions.data(), heights.data(), count, vertices, 2);
+            EXPECT_EQ(vertices.x.back(), 77) << "written past the end";
             for (std::size_t i = 0; i < count; ++i) {
-                const auto of = [&](const Linear& linear) {
-                    return value(linear, places[2 * i], places[2 * i + 1], heights[i]);
+                const auto of = [&](const AffineFunction& linear) {
+                    return value(linear, positions[2 * i], positions[2 * i + 1], heights[i]);
                 };
-                const double depth = of(placed.depth);
-                EXPECT_EQ(corners.x[i + 2], std::floor(of(placed.x) / depth + 0.5));
-                EXPECT_EQ(corners.y[i + 2], std::floor(of(placed.y) / depth + 0.5));
-                EXPECT_EQ(corners.nearness[i + 2], static_cast<float>(1.5 / depth));
+                const double depth = of(projection.depth);
+                EXPECT_EQ(vertices.x[i + 2], std::floor(of(projection.x) / depth + 0.5));
+                EXPECT_EQ(vertices.y[i + 2], std::floor(of(projection.y) / depth + 0.5));
+                EXPECT_EQ(vertices.reversed_z[i + 2], static_cast<float>(1.5 / depth));
             }
         }
     }

@@ -97,20 +97,20 @@ class Walk {
 
   private:
     double path(glm::dvec3 direction) {
-        glm::dvec3 place(0.0, 0.0, air_.ground + eye);
+        glm::dvec3 position(0.0, 0.0, air_.ground + eye);
         double weight = 1.0;
         double sum = 0.0;
         const double most = air_.optics(0.0).extinction()[band_];
         for (int bounce = 0; bounce < 40; ++bounce) {
-            const double radius = glm::length(place);
-            const RayEnd end = end_of_ray(air_, radius, glm::dot(place, direction) / radius);
+            const double radius = glm::length(position);
+            const RayEnd end = end_of_ray(air_, radius, glm::dot(position, direction) / radius);
             double distance = 0.0;
             bool scattered = false;
             AirOptics optics;
             while (true) {  // delta tracking
                 distance -= std::log(1.0 - random_.uniform()) / most;
                 if (distance >= end.distance) break;
-                optics = air_.optics(glm::length(place + distance * direction) - air_.ground);
+                optics = air_.optics(glm::length(position + distance * direction) - air_.ground);
                 if (random_.uniform() * most < optics.extinction()[band_]) {
                     scattered = true;
                     break;
@@ -120,19 +120,19 @@ class Walk {
                 // Of the sky only what the air sends is asked for: ground seen directly is left
                 // out.
                 if (!end.on_ground || bounce == 0) return sum;
-                place += end.distance * direction;
-                const glm::dvec3 normal = glm::normalize(place);
+                position += end.distance * direction;
+                const glm::dvec3 normal = glm::normalize(position);
                 weight *= air_.ground_albedo[band_];
-                sum += weight * std::max(glm::dot(normal, to_sun_), 0.0) / pi * sunlight(place);
+                sum += weight * std::max(glm::dot(normal, to_sun_), 0.0) / pi * sunlight(position);
                 direction = glm::normalize(normal + sphere());
-                place = normal * (air_.ground + 1e-6);
+                position = normal * (air_.ground + 1e-6);
                 continue;
             }
-            place += distance * direction;
+            position += distance * direction;
             weight *= optics.scattering()[band_] / optics.extinction()[band_];
             const double rayleigh = optics.rayleigh[band_] / optics.scattering()[band_];
             const double towards_sun = glm::dot(direction, to_sun_);
-            sum += weight * sunlight(place) *
+            sum += weight * sunlight(position) *
                    (rayleigh * rayleigh_phase(towards_sun) +
                     (1.0 - rayleigh) * aerosol_phase(air_, band_, towards_sun));
             const glm::dvec3 next = sphere();
@@ -149,9 +149,9 @@ class Walk {
         return sum;
     }
 
-    double sunlight(const glm::dvec3& place) const {
-        const double radius = std::max(glm::length(place), air_.ground + 1e-6);
-        return tables_.transmittance(radius, glm::dot(place, to_sun_) / radius)[band_];
+    double sunlight(const glm::dvec3& position) const {
+        const double radius = std::max(glm::length(position), air_.ground + 1e-6);
+        return tables_.transmittance(radius, glm::dot(position, to_sun_) / radius)[band_];
     }
 
     glm::dvec3 sphere() {

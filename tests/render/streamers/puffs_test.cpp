@@ -41,7 +41,7 @@ Camera beside() {
 
 std::vector<Puff> seen(const BlownSand& sand, double strength, double gone = 0.0) {
     const PuffGround ground{glm::dvec2(-0.5, -0.25), glm::dvec2(1.0, 0.5), 0.0, {}};
-    return puffs_seen(sand, strength, gone, ground, beside(), 0.9 / 1080.0);
+    return visible_puffs(sand, strength, gone, ground, beside(), 0.9 / 1080.0);
 }
 
 /// Optical depths times areas.
@@ -63,7 +63,7 @@ TEST(BlownSand, LeavesOverTheBrinkAlone) {
     ASSERT_FALSE(sand.brinks.empty());
     double leaving = 0.0;
     for (const Brink& brink : sand.brinks) {
-        EXPECT_NEAR(128.0 * brink.place.x, 61.0, 1.6);
+        EXPECT_NEAR(128.0 * brink.position.x, 61.0, 1.6);
         leaving += brink.flux;
     }
     EXPECT_NEAR(leaving / 64.0, 2.0, 0.1);  // all of the flux, of each row

@@ -15,8 +15,8 @@ namespace {
 double reach(const Camera& camera, const Block& block, double margin) {
     double most = 0.0;
     for (const glm::dvec3& corner : block_corners(block)) {
-        const glm::dvec2 place = project(camera, corner) / (1.0 - 2.0 * margin);
-        most = std::max({most, std::abs(place.x), std::abs(place.y)});
+        const glm::dvec2 position = project(camera, corner) / (1.0 - 2.0 * margin);
+        most = std::max({most, std::abs(position.x), std::abs(position.y)});
     }
     return most;
 }
@@ -56,9 +56,9 @@ TEST(Camera, ClipMatrixAgreesWithProject) {
         const Camera camera = place_camera(settings, block, 1.6, 0.0);
         const glm::dvec3 point(0.1, -0.2, 0.05);
         const glm::dvec4 clip = clip_matrix(camera) * glm::dvec4(point, 1.0);
-        const glm::dvec2 place = project(camera, point);
-        EXPECT_NEAR(clip.x / clip.w, place.x, 1e-12);
-        EXPECT_NEAR(clip.y / clip.w, place.y, 1e-12);
+        const glm::dvec2 position = project(camera, point);
+        EXPECT_NEAR(clip.x / clip.w, position.x, 1e-12);
+        EXPECT_NEAR(clip.y / clip.w, position.y, 1e-12);
     }
 }
 

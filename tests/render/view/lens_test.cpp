@@ -47,7 +47,7 @@ TEST(Lens, ItsPointsMoveWhatIsOutOfFocus) {
     Camera camera;
     camera.eye = {0.2, -0.3, 0.5};
     camera.half = {0.4, 0.3};
-    const auto place = [&](const Camera& through, const glm::dvec3& along_axes) {
+    const auto position = [&](const Camera& through, const glm::dvec3& along_axes) {
         const glm::dvec3 point = camera.eye + along_axes.x * camera.right +
                                  along_axes.y * camera.up + along_axes.z * camera.forward;
         const glm::dvec4 clip = clip_matrix(through) * glm::dvec4(point, 1.0);
@@ -57,13 +57,13 @@ TEST(Lens, ItsPointsMoveWhatIsOutOfFocus) {
     through.lens = {0.05, 2.0, {0.03, -0.04}, {0.001, 0.002}};
     for (const double depth : {0.5, 2.0, 7.0}) {
         const glm::dvec3 point(0.1 * depth, -0.05 * depth, depth);
-        const glm::dvec2 moved = place(through, point) - place(camera, point);
+        const glm::dvec2 moved = position(through, point) - position(camera, point);
         const glm::dvec2 expected =
             -through.lens.point * (1.0 / depth - 1.0 / 2.0) / camera.half + through.lens.aside;
         EXPECT_NEAR(moved.x, expected.x, 1e-12) << depth;
         EXPECT_NEAR(moved.y, expected.y, 1e-12) << depth;
         // The ray of the picture's place, from the lens's point, meets the point.
-        const glm::dvec2 seen = place(through, point) * camera.half;
+        const glm::dvec2 seen = position(through, point) * camera.half;
         const glm::dvec3 met =
             through.seen_from() +
             depth * (through.ahead() + seen.x * camera.right + seen.y * camera.up);
@@ -123,7 +123,7 @@ TEST(Lens, RaysMeetTheGround) {
     camera.right = {0.0, -1.0, 0.0};
     camera.up = glm::cross(camera.right, camera.forward);
     RayGround ground;
-    ground.height = [](const glm::dvec2& place) { return place.x > 1.5 ? 1.0 : 0.0; };
+    ground.height = [](const glm::dvec2& position) { return position.x > 1.5 ? 1.0 : 0.0; };
     ground.highest = 1.0;
     EXPECT_NEAR(depth_of_ground(camera, {0.0, 0.0}, ground), 1.5 * std::numbers::sqrt2, 1e-9);
     ground.height = [](const glm::dvec2&) { return 0.0; };
@@ -133,7 +133,7 @@ TEST(Lens, RaysMeetTheGround) {
     camera.half = {1.5, 1.5};
     camera.lens = {0.01, 3.0, {}, {}};
     const double nearest = 2.0 * std::numbers::sqrt2 / 2.5;
-    EXPECT_NEAR(widest_blur(camera, ground, 300.0),
+    EXPECT_NEAR(widest_circle_of_confusion(camera, ground, 300.0),
                 0.02 * std::max(1.0 / nearest - 1.0 / 3.0, 1.0 / 3.0) * 100.0, 1e-6);
 }
 

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace fumon::rasteriser_vectors {
+
+// A sample of what stands nearest in one number: its reversed z, a float above 0, whose lowest bits
+// are the kind of what is seen. The larger one is nearer, in whatever order they come.
+constexpr std::uint32_t kind_bits = 7;
+
+/// Corners in the picture: 1/256 of a sample from its lower left, and reversed_z; 0: has no place
+/// in it.
+struct ProjectedVertices {
+    std::vector<std::int32_t> x;
+    std::vector<std::int32_t> y;
+    std::vector<float> reversed_z;
+
+    void resize(std::size_t count);
+};
+
+/// Samples of some rows of a tile, columns and rows counted over the whole picture.
+struct Band {
+    std::uint32_t* samples;  ///< rows upward, each `stride` long: `beyond` more than columns
+    std::size_t stride;
+    int first_column;
+    int end_column;
+    int first_row;
+    int end_row;
+    /// Of what the samples see, as many: by how much reversed_z grows from a sample to the next
+    /// one, rightward in the upper half of the bits and upward in the lower, each the upper half of
+    /// a float's; nullptr: not wanted.
+    std::uint32_t* slopes = nullptr;
+
+    static constexpr std::size_t beyond = 64;
+};
+
+/// Triangles, three corners each; counter-clockwise ones look at the eye.
+struct Triangles {
+    const std::uint32_t* indices;  ///< counted from `first_vertex` on
+    std::size_t first_vertex;
+    const std::uint32_t* listed;  ///< which of them, `count` numbers
+    std::size_t count;
+    std::uint32_t kind;
+    bool double_sided;  ///< else backs are left out
+};
+
+/// Draws what a band's samples see of triangles. A sample lies in one of two triangles that share
+/// an edge, never in both or none: edges are whole numbers.
+void rasterise(const ProjectedVertices& vertices, const Triangles& triangles, const Band& band);
+
+}  // namespace fumon::rasteriser_vectors

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+#include "base/grid.h"
+#include "base/whole_number.h"
+
+namespace fumon {
+
+/// The height of a drawn bed at a place, as shares of its sides from the south-west corner; linear
+/// between cells. `repeats`: beyond its edges it goes on with its other side.
+template <class Number>
+Number bilinear_height(const Field<Number>& z, const glm::dvec2& share, bool repeats) {
+    struct Split {
+        int low;
+        int high;
+        Number weight;
+    };
+    const auto split = [&](double at, int count) {
+        const double cell = at * count - 0.5;
+        const double low = std::floor(cell);
+        const auto number = [&](double value) {
+            if (!repeats) return whole_within(value, 0, count - 1);
+            return static_cast<int>((whole_of(value) % count + count) % count);
+        };
+        return Split{number(low), number(low + 1.0), static_cast<Number>(cell - low)};
+    };
+    const Split x = split(share.x, z.nx());
+    const Split y = split(share.y, z.ny());
+    return std::lerp(std::lerp(z(x.low, y.low), z(x.high, y.low), x.weight),
+                     std::lerp(z(x.low, y.high), z(x.high, y.high), x.weight), y.weight);
+}
+
+}  // namespace fumon

@@ -1,0 +1,51 @@
+#include "render/view/ground_choice.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "render/view/surrounding_plain.h"
+#include "render/view/water.h"
+
+namespace fumon {
+
+const char* endless_ground_obstacle(const View& view, const Snapshot& first) {
+    if (view.look.mode != ViewMode::scenic) return "is for scenic views (look.mode)";
+    if (view.camera.projection != Projection::perspective)
+        return "is for the perspective camera (camera.projection)";
+    if (first.bed.ny() < 2 || first.section) return "is for beds of more than one row";
+    if (draws_water(view.look, first)) return "is for beds without water";
+    if (view.look.draws_contours()) return "shows no contours (look.contours)";
+    if (view.look.background == Background::transparent)
+        return "leaves nothing transparent (look.background)";
+    return nullptr;
+}
+
+bool is_endless(const View& view, const Snapshot& first) {
+    if (view.look.ground == Ground::automatic)
+        return !is_bounded(first) && endless_ground_obstacle(view, first) == nullptr;
+    return view.look.ground == Ground::endless;
+}
+
+void check_background(const View& view, const Snapshot& first) {
+    if (view.look.background == Background::transparent && first.section) {
+        throw InputError(
+            "look.background = \"transparent\" is for blocks of ground; a section with its air "
+            "takes \"surroundings\"");
+    }
+}
+
+View with_chosen_ground(View view, const Snapshot& first) {
+    check_background(view, first);
+    if (!is_endless(view, first)) {
+        view.look.ground = Ground::table;
+        return view;
+    }
+    if (const char* fault = endless_ground_obstacle(view, first); fault != nullptr) {
+        throw InputError(
+            fmt::format("look.ground = \"endless\" {}; \"table\" draws this one", fault));
+    }
+    view.look.ground = Ground::endless;
+    return view;
+}
+
+}  // namespace fumon

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "base/grid.h"
+#include "base/snapshot.h"
+#include "render/view/block.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// Whether a bed ends somewhere: where cells lie outside it, or its sides do not go on into each
+/// other.
+bool is_bounded(const Snapshot& snapshot);
+
+/// The plain into which a bed that ends goes on, to the horizon.
+///
+/// Far away it is level at the mean of the bed's edges, with relief like the bed's own: what the
+/// bed has of features up to a sixth of its shorter side, weighted towards its edges, with the
+/// phases of its Fourier transform drawn anew (random-phase texture, Galerne, Gousseau & Morel
+/// 2011). Near the bed the relief is as rough as the edge is there, and a thin plate in tension
+/// lies between both, so that heights and slopes meet the edge. Within the bed nothing changes. A
+/// bed that ends somewhere is there once, also where it would repeat along one axis.
+class SurroundingPlain {
+  public:
+    /// Of a bed, as it is shown.
+    SurroundingPlain(const Snapshot& first, WorkerPool& pool);
+
+    /// That bed, or one of the same cells, in the plain: a snapshot of the maps of GroundTiles,
+    /// periodic and without cells outside.
+    [[nodiscard]] Snapshot around(const Snapshot& snapshot) const;
+
+    /// The bed's own tile of such maps, which is periodic too.
+    [[nodiscard]] Snapshot own_tile(const Snapshot& maps) const;
+
+    /// Gives the block of the bed its tiles, and sets a camera that stands or looks at a place of
+    /// the scene on the ground of these maps, where the bed ends too.
+    void stand_in(const CameraSettings& camera, const Snapshot& maps, Block& block) const;
+
+    /// The block of the ground: of one tile, its origin and scale those of the bed's.
+    [[nodiscard]] Block ground_of(const Block& bed) const;
+
+  private:
+    [[nodiscard]] bool inside(int x, int y, const Mask& nodata) const;
+    [[nodiscard]] Mask outside_of(const Mask& nodata) const;
+    [[nodiscard]] Grid in_tile(const Grid& field) const;
+    [[nodiscard]] Mask between_bed_and_plain(const Mask& outside) const;
+    [[nodiscard]] Grid continued(const Grid& field, const Mask& nodata) const;
+    void find_level(const Grid& heights, const Mask& outside, const Field<float>& depth);
+    void make_relief(const Grid& heights, const Mask& outside, const Field<float>& depth,
+                     WorkerPool& pool);
+
+    int bed_nx_;
+    int bed_ny_;
+    int nx_;  ///< of a tile
+    int ny_;
+    int west_;   ///< cells of the tile west of the bed
+    int south_;  ///< and south of it
+    double level_ = 0.0;
+    Grid relief_;     ///< of a tile of the plain alone
+    Grid roughness_;  ///< by which it is multiplied in the bed's tile
+};
+
+}  // namespace fumon

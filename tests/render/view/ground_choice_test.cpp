@@ -1,0 +1,52 @@
+#include "render/view/ground_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace fumon {
+namespace {
+
+Snapshot periodic_bed() {
+    Snapshot bed;
+    bed.bed = Grid(8, 6, 1.0);
+    bed.periodic = true;
+    return bed;
+}
+
+Ground chosen(const View& view, const Snapshot& bed) {
+    return with_chosen_ground(view, bed).look.ground;
+}
+
+TEST(GroundChoice, GoesOnForSandInPerspective) {
+    EXPECT_EQ(chosen({}, periodic_bed()), Ground::endless);
+    Snapshot land = periodic_bed();
+    land.periodic = false;
+    EXPECT_EQ(chosen({}, land), Ground::table);
+    Snapshot profile = periodic_bed();
+    profile.bed = Grid(8, 1, 1.0);
+    EXPECT_EQ(chosen({}, profile), Ground::table);
+    View map;
+    map.camera.projection = Projection::map;
+    EXPECT_EQ(chosen(map, periodic_bed()), Ground::table);
+    View figure;
+    figure.look.mode = ViewMode::figure;
+    EXPECT_EQ(chosen(figure, periodic_bed()), Ground::table);
+}
+
+TEST(GroundChoice, IsWhatASceneAsksFor) {
+    View view;
+    view.look.ground = Ground::table;
+    EXPECT_EQ(chosen(view, periodic_bed()), Ground::table);
+    view.look.ground = Ground::endless;
+    EXPECT_EQ(chosen(view, periodic_bed()), Ground::endless);
+    Snapshot land = periodic_bed();
+    land.periodic = false;
+    EXPECT_EQ(chosen(view, land), Ground::endless) << "in a plain";
+    Snapshot profile = periodic_bed();
+    profile.bed = Grid(8, 1, 1.0);
+    EXPECT_THROW(chosen(view, profile), InputError);
+}
+
+}  // namespace
+}  // namespace fumon
