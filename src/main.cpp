@@ -14,7 +14,7 @@
 #include "cli/command_line.h"
 #include "run/terminal/crash.h"
 
-static int tell_out_of_memory() {
+static int report_out_of_memory() {
     std::fputs(fumon::out_of_memory.data(), stderr);
     return fumon::could_not_work;
 }
@@ -22,7 +22,7 @@ static int tell_out_of_memory() {
 /// Ends the program without what libraries do at the end of one, where memory has ended within
 /// them: a driver would wait for its own locks.
 static int ended_with(int status) {
-    if (!fumon::memory_has_ended()) return status;
+    if (!fumon::memory_exhausted()) return status;
     std::fflush(nullptr);
     std::_Exit(status);
 }
@@ -42,20 +42,20 @@ static void give_memory_back() {
 
 int main(int count, char** values) {
     give_memory_back();
-    fumon::explain_crashes();
+    fumon::install_crash_reports();
     std::signal(SIGXFSZ, SIG_IGN);  // what exceeds the limit on files is a failed write (EFBIG)
     try {
         return fumon::run_command_line(std::vector<std::string>(values + 1, values + count));
     } catch (const fumon::InputError& error) {
         // A library that finds no memory may call its input wrong, as the reader of TOML does.
-        if (fumon::memory_has_ended()) return ended_with(tell_out_of_memory());
+        if (fumon::memory_exhausted()) return ended_with(report_out_of_memory());
         std::fprintf(stderr, "%s\n", error.what());
         return error.exit_status();
     } catch (const fumon::Error& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return ended_with(error.exit_status());
     } catch (const std::bad_alloc&) {
-        return ended_with(tell_out_of_memory());
+        return ended_with(report_out_of_memory());
     } catch (const std::filesystem::filesystem_error& error) {
         std::fprintf(stderr, "%s: %s\n", error.path1().c_str(), error.code().message().c_str());
         return ended_with(fumon::could_not_work);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 
 namespace fumon {
 
@@ -19,9 +19,9 @@ class CompensatedSum {
     }
     [[nodiscard]] double value() const { return sum_ + lost_; }
 
-    void carry(std::string_view name, StateCarrier& carrier) {
+    void serialise(std::string_view name, StateArchive& archive) {
         std::array both{sum_, lost_};
-        carrier.values(name, both);
+        archive.values(name, both);
         sum_ = both[0];
         lost_ = both[1];
     }

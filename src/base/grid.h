@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/geo_reference.h"
-#include "base/large_pages.h"
+#include "base/huge_pages.h"
 
 namespace fumon {
 
@@ -55,7 +55,7 @@ class Field {
 
     int nx_ = 0;
     int ny_ = 0;
-    std::vector<Number, LargePages<Number>> values_;
+    std::vector<Number, HugePageAllocator<Number>> values_;
 };
 
 using Grid = Field<double>;

@@ -4,7 +4,7 @@
 
 namespace fumon {
 
-Image laid_on(const Image& image, std::uint8_t grey) {
+Image composited_on(const Image& image, std::uint8_t grey) {
     Image whole(image.width, image.height);
     if (!image.transparent()) {
         whole.rgb = image.rgb;

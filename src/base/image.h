@@ -62,7 +62,7 @@ struct LayeredImage {
 };
 
 /// An image without opacities: laid on an even grey ground, in sRGB as programs do it.
-Image laid_on(const Image& image, std::uint8_t grey);
+Image composited_on(const Image& image, std::uint8_t grey);
 /// An image with opacities, of 255 where it has none.
 Image with_alpha(Image image);
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/cancellation.h"
 #include "base/elementary.h"
-#include "base/give_up.h"
 
 namespace fumon {
 
@@ -268,7 +268,7 @@ std::int64_t binomial(RandomStream& stream, std::int64_t trials, double probabil
 void multinomial_equal(RandomStream& stream, std::int64_t trials, std::span<std::int64_t> counts) {
     std::int64_t left = trials;
     for (std::size_t row = 0; row < counts.size(); ++row) {
-        give_up_if_asked();
+        throw_if_cancelled();
         const std::size_t rows_left = counts.size() - row;
         counts[row] =
             rows_left == 1 ? left : binomial(stream, left, 1.0 / static_cast<double>(rows_left));

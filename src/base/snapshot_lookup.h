@@ -23,7 +23,7 @@ inline const Grid* field_of(std::span<const SnapshotField> fields, std::string_v
 }
 
 /// A direction on the ground, a unit vector.
-struct Way {
+struct HorizontalDirection {
     double x = 1.0;  ///< eastward
     double y = 0.0;  ///< northward
 
@@ -33,10 +33,10 @@ struct Way {
 /// Where the winds of a run move the sand on balance: the direction of the resultant of their
 /// drifts; +x where the model tells none. Nothing where they cancel: where the resultant is less
 /// than 1 % of the sum.
-inline std::optional<Way> downwind(const Snapshot& snapshot) {
+inline std::optional<HorizontalDirection> downwind(const Snapshot& snapshot) {
     constexpr double cancelled = 0.01;
     constexpr double rounding = 1e-9;
-    if (snapshot.winds.empty()) return Way{};
+    if (snapshot.winds.empty()) return HorizontalDirection{};
     double x = 0.0;
     double y = 0.0;
     double potential = 0.0;
@@ -47,13 +47,13 @@ inline std::optional<Way> downwind(const Snapshot& snapshot) {
     }
     const double resultant = std::sqrt(x * x + y * y);
     if (!(resultant > cancelled * potential)) return std::nullopt;
-    if (std::abs(y) < rounding * resultant) return Way{x > 0.0 ? 1.0 : -1.0, 0.0};
-    if (std::abs(x) < rounding * resultant) return Way{0.0, y > 0.0 ? 1.0 : -1.0};
-    return Way{x / resultant, y / resultant};
+    if (std::abs(y) < rounding * resultant) return HorizontalDirection{x > 0.0 ? 1.0 : -1.0, 0.0};
+    if (std::abs(x) < rounding * resultant) return HorizontalDirection{0.0, y > 0.0 ? 1.0 : -1.0};
+    return HorizontalDirection{x / resultant, y / resultant};
 }
 
 /// The same; where the winds cancel, the way of the first of them.
-inline Way prevailing_way(const Snapshot& snapshot) {
+inline HorizontalDirection prevailing_direction(const Snapshot& snapshot) {
     const auto way = downwind(snapshot);
     if (way) return *way;
     return {snapshot.winds.front().x, snapshot.winds.front().y};

@@ -36,9 +36,9 @@ void WorkerPool::stop() {
 /// Polls for a moment whether the condition holds, since waking a sleeping thread costs about 20
 /// µs, as much as a step of a small grid.
 template <class Condition>
-void WorkerPool::look_a_moment(Condition condition) {
-    constexpr int looks = 2000;  // some 20 µs
-    for (int look = 0; look < looks && !condition(); ++look) {
+void WorkerPool::spin_briefly(Condition condition) {
+    constexpr int spin_count = 2000;  // some 20 µs
+    for (int look = 0; look < spin_count && !condition(); ++look) {
 #if defined(__x86_64__)
         __builtin_ia32_pause();
 #endif
@@ -57,7 +57,7 @@ void WorkerPool::for_ranges(int count, const std::function<void(int begin, int e
     }
     wake_.notify_all();
     run_share(0);
-    look_a_moment([this] { return running_ == 0; });
+    spin_briefly([this] { return running_ == 0; });
     std::unique_lock lock(mutex_);
     done_.wait(lock, [this] { return running_ == 0; });
     body_ = nullptr;
@@ -70,7 +70,7 @@ void WorkerPool::work(int worker) {
     name_this_thread(name_);
     unsigned seen = 0;
     for (;;) {
-        look_a_moment([&] { return stopping_ || round_ != seen; });
+        spin_briefly([&] { return stopping_ || round_ != seen; });
         {
             std::unique_lock lock(mutex_);
             wake_.wait(lock, [&] { return stopping_ || round_ != seen; });

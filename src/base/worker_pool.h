@@ -32,7 +32,7 @@ class WorkerPool {
 
   private:
     template <class Condition>
-    static void look_a_moment(Condition condition);
+    static void spin_briefly(Condition condition);
     void work(int worker);
     void stop();
     void run_share(int share);

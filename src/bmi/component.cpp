@@ -73,7 +73,7 @@ void BmiComponent::UpdateUntil(double time) {
 
 void BmiComponent::Finalize() {
     model_.reset();
-    for (auto& [name, values] : shown_) former_.push_back(std::move(values));
+    for (auto& [name, values] : shown_) previous_.push_back(std::move(values));
     shown_.clear();
 }
 

@@ -86,7 +86,7 @@ class BmiComponent : public bmi::Bmi {
 
     std::unique_ptr<CoupledModel> model_;
     std::map<std::string, std::vector<double>> shown_;  ///< whose memory pointers were given out
-    std::vector<std::vector<double>> former_;           ///< the same, of models that are gone
+    std::vector<std::vector<double>> previous_;         ///< the same, of models that are gone
 };
 
 }  // namespace fumon

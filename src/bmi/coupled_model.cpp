@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 #include "base/find_named.h"
-#include "bmi/held_state.h"
+#include "bmi/saved_state.h"
 #include "models/shared/check_finite.h"
 #include "scene/scene_keys.h"
 
@@ -50,7 +50,7 @@ void CoupledModel::step() {
 double CoupledModel::time_step() {
     // Winds may make steps of their own length: what the next one takes, only the model knows.
     std::unique_ptr<PreparedRun> trial = built(run_->scene, run_->initial);
-    HeldState(*run_->model).restore(*trial->model);
+    SavedState(*run_->model).restore(*trial->model);
     trial->model->step();
     return trial->model->time() - run_->model->time();
 }
@@ -119,9 +119,9 @@ void CoupledModel::rebuild(const std::vector<Override>& overrides, const Grid* b
     InitialBed initial = run_->initial;
     if (bed != nullptr) initial.bed = *bed;
     std::unique_ptr<PreparedRun> next = built(parse_scene(text_, overrides), std::move(initial));
-    HeldState state(*run_->model);
+    SavedState state(*run_->model);
     if (bed != nullptr) {
-        const HeldState fresh(*next->model);
+        const SavedState fresh(*next->model);
         for (const std::string_view name : bed_states) state.take(name, fresh);
     }
     state.restore(*next->model);

@@ -145,13 +145,13 @@ int figure_again(const AgainOptions& options, const FigureOrigin& origin) {
                                                : fs::path(options.runs);
     const RunStore store(kept);
     const auto plan = plan_figure(origin.scene, settings, sources, runs, &store);
-    if (!plan) return tell_interrupted(status, {});
+    if (!plan) return report_interrupted(status, {});
     for (const InputFile& input : plan->inputs) inputs.emplace_back(input.path);
     claim_output(options, output, inputs);
     check_output_folder(kept, "the runs");
     if (!options.trust) check_work(runs, options.picture);
     const std::vector<RunRecord> records = make_runs(runs, store, options.work, status);
-    if (interrupting_signal() != 0) return tell_interrupted(status, records);
+    if (interrupting_signal() != 0) return report_interrupted(status, records);
     if (const std::string missing = missing_run(*plan, runs, records); !missing.empty())
         throw Error(missing);
     const FigurePage made =
@@ -210,7 +210,7 @@ void compare_movies(const std::string& file, const Sha256& before, const AgainOp
 
 /// A run to a step, within what a picture of unknown origin may ask for.
 PreparedRun prepare(Scene scene, std::int64_t step, int threads) {
-    const EndAtOnce nothing_is_written;
+    const ExitOnSignal nothing_is_written;
     PreparedScene prepared = prepare_scene(std::move(scene));
     check_limits(prepared.scene, static_cast<std::int64_t>(prepared.initial.bed.size()), step);
     return prepare_run(std::move(prepared), threads);

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "base/error.h"
-#include "base/tell.h"
+#include "base/standard_error.h"
 #include "cli/command.h"
 #include "cli/examples.h"
 #include "cli/remark.h"
@@ -121,7 +121,7 @@ int perform(const CheckOptions& options) {
             one["faults"] = fault.lines();
             status = fault.exit_status();
             std::fflush(stdout);
-            if (!options.as_json) tell(std::string(fault.what()) + "\n");
+            if (!options.as_json) print_to_stderr(std::string(fault.what()) + "\n");
         }
         all.push_back(std::move(one));
     }

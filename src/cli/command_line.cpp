@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <functional>
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
 #include "cli/commands.h"
 #include "cli/remark.h"
 #include "cli/usage.h"
@@ -78,7 +78,7 @@ int run_command_line(const std::vector<std::string>& arguments) {
         line.app.exit(help);
     } catch (const CLI::ParseError& fault) {
         throw InputError(usage_fault(line.app, arguments, fault));
-    } catch (const GivenUp&) {
+    } catch (const Cancelled&) {
         status = exit_status_of_signal(interrupting_signal());
     }
     check_standard_output();

@@ -129,9 +129,9 @@ Completion all_candidates(CLI::App& app, const std::vector<std::string>& words) 
         if (known->get_name() == words.front()) command = known;
     }
     if (command == nullptr) return {{}, true};
-    const std::string& former = words[words.size() - 2];
-    CLI::Option* option = option_of(*command, former);
-    if (option != nullptr && takes_a_value(*option) && former.find('=') == std::string::npos)
+    const std::string& previous = words[words.size() - 2];
+    CLI::Option* option = option_of(*command, previous);
+    if (option != nullptr && takes_a_value(*option) && previous.find('=') == std::string::npos)
         return values(*command, *option, begun, words, "");
     if (!begun.starts_with("-")) return positionals(*command);
     const std::size_t sign = begun.find('=');

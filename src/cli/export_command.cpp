@@ -170,8 +170,8 @@ Image picture_from_above(const ExportOptions& options, const std::string& input,
     scene.view.image.width = std::max(16L, std::lround(width * pixels));
     scene.view.image.height = std::max(16L, std::lround(height * pixels));
     WorkerPool pool(options.work.threads, "fumon-render");
-    const auto painter =
-        make_frame_painter(scene, snapshot, options.work.backend, pool, PaintedFrames::one_picture);
+    const auto painter = make_frame_painter(scene, snapshot, options.work.backend, pool,
+                                            PaintedContent::one_picture);
     return painter->paint(snapshot, {});
 }
 
@@ -190,12 +190,12 @@ std::vector<PointColour> colours_of(const HeightMesh& mesh, const Image& picture
     return colours;
 }
 
-void tell_coarser(const HeightMesh& mesh) {
-    if (mesh.cells_a_point == 1) return;
+void report_coarser(const HeightMesh& mesh) {
+    if (mesh.cells_per_point == 1) return;
     remark(
         fmt::format("{} triangles: each point is the mean of {} x {} cells (--triangles allows "
                     "more)\n",
-                    mesh.top.triangles.size(), mesh.cells_a_point, mesh.cells_a_point));
+                    mesh.top.triangles.size(), mesh.cells_per_point, mesh.cells_per_point));
 }
 
 /// NAME_000000.vts … beside NAME.pvd; NAME_air_000000.vts and NAME_paths_000000.vtp.
@@ -331,7 +331,7 @@ std::vector<TerrainBytes> exported(const ExportOptions& options, const ExportKin
     }
     const HeightMesh mesh =
         height_mesh(snapshot, options.exaggeration, static_cast<std::size_t>(options.triangles));
-    tell_coarser(mesh);
+    report_coarser(mesh);
     files.push_back({std::string(kind.ending), mesh_file(options, kind, mesh, input, snapshot)});
     return files;
 }

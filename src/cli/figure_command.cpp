@@ -65,7 +65,7 @@ void declare(CLI::App& command, FigureOptions& options) {
 namespace fs = std::filesystem;
 
 /// For which time another program, putting its figures into the same folder, is waited for.
-constexpr std::chrono::seconds patience_with_others{10};
+constexpr std::chrono::seconds lock_timeout{10};
 
 /// A figure and the texts that it was read from.
 struct PlannedFigure {
@@ -95,7 +95,7 @@ bool plan_all(const FigureOptions& options, const RunStore* store,
 
 /// Says what a journal would send back of a figure; 1 where that is something. `page`: as it was
 /// made; nullptr where it was not.
-int tell_findings(const FigurePlan& plan, const Page* page) {
+int report_findings(const FigurePlan& plan, const Page* page) {
     const std::vector<std::string> findings = journal_findings(plan, page);
     for (const std::string& finding : findings) fmt::print("{}\n", finding);
     fmt::print("{}: {}\n", plan.file, journal_verdict(plan, findings.size()));
@@ -112,13 +112,13 @@ int make_figure(const PlannedFigure& figure, const FigureRuns& runs, const RunSt
     const std::vector<WholeFile> files =
         figure_files(plan, figure.sources, page, options.folder, notes);
     make_folder(options.folder);
-    const FolderLock lock(options.folder, patience_with_others);
+    const FolderLock lock(options.folder, lock_timeout);
     claim_figure(plan, options.folder, claims);
     write_files(files);
     for (const std::string& note : notes) status.note(fmt::format("{}: {}", plan.file, note));
     status.note(fmt::format("{}.{}", (fs::path(options.folder) / plan.name).string(),
                             fmt::join(plan.scene.figure.formats, ", .")));
-    return options.check ? tell_findings(plan, &page.page) : 0;
+    return options.check ? report_findings(plan, &page.page) : 0;
 }
 
 /// Claims the files of all figures; none may replace what any of them is made from.
@@ -133,7 +133,7 @@ OutputClaims claim_figures(const FigureOptions& options,
     if (!fs::exists(options.folder, fault) && !fault) return claims;
     if (fault)
         throw Error(fmt::format("cannot make the folder {}: {}", options.folder, fault.message()));
-    const FolderLock lock(options.folder, patience_with_others);
+    const FolderLock lock(options.folder, lock_timeout);
     for (const PlannedFigure& figure : figures) claim_figure(figure.plan, options.folder, claims);
     return claims;
 }
@@ -143,10 +143,10 @@ int check_scenes(const FigureOptions& options) {
     std::vector<PlannedFigure> figures;
     FigureRuns runs;
     StatusLine status(options.work.verbosity);
-    if (!plan_all(options, nullptr, figures, runs)) return tell_interrupted(status, {});
+    if (!plan_all(options, nullptr, figures, runs)) return report_interrupted(status, {});
     int exit_status = 0;
     for (const PlannedFigure& figure : figures)
-        exit_status = std::max(exit_status, tell_findings(figure.plan, nullptr));
+        exit_status = std::max(exit_status, report_findings(figure.plan, nullptr));
     return exit_status;
 }
 
@@ -164,14 +164,14 @@ int perform(const FigureOptions& options) {
     check_output_folder(options.folder, "the figures");
     check_output_folder(kept, "the runs");
     const RunStore store(kept);
-    if (!plan_all(options, &store, figures, runs)) return tell_interrupted(status, {});
+    if (!plan_all(options, &store, figures, runs)) return report_interrupted(status, {});
     const OutputClaims claims = claim_figures(options, figures);
     const std::vector<RunRecord> records = make_runs(runs, store, options.work, status);
-    if (interrupting_signal() != 0) return tell_interrupted(status, records);
+    if (interrupting_signal() != 0) return report_interrupted(status, records);
 
     int exit_status = 0;
     for (const PlannedFigure& figure : figures) {
-        if (interrupting_signal() != 0) return tell_interrupted(status, records);
+        if (interrupting_signal() != 0) return report_interrupted(status, records);
         try {
             if (const std::string missing = missing_run(figure.plan, runs, records);
                 !missing.empty())

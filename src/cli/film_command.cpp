@@ -115,7 +115,7 @@ int perform(const FilmOptions& options) {
                            options.most_bytes.empty() ? 0 : bytes_of_size(options.most_bytes));
     for (FilmOutput& output : outputs) output.goes_on = options.resume;
     prepare_drawing(options.work);
-    const FilmRuns runs(arguments.runs, options.work.threads, showing_of(film));
+    const FilmRuns runs(arguments.runs, options.work.threads, arrangement_of(film));
     OutputClaims claims(options.force);
     claims.reads(file);
     claims.reads(runs.files());

@@ -37,8 +37,8 @@ void declare(CLI::App& command, NewOptions& options) {
 }
 
 int perform(const NewOptions& options) {
-    const std::vector<ShippedScene> meant = meant_scenes(options.name);
-    const std::string text = movable_text(meant.front());
+    const std::vector<ShippedScene> meant = matching_scenes(options.name);
+    const std::string text = relocatable_text(meant.front());
     if (options.output.empty() || options.output == "-") {
         std::fputs(text.c_str(), stdout);
     } else {

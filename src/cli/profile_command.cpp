@@ -23,7 +23,7 @@
 #include "figure/panels/profile_panel.h"
 #include "files/atomic_file.h"
 #include "files/csv_table.h"
-#include "measure/network/line_places.h"
+#include "measure/network/polyline_samples.h"
 #include "measure/network/stream_path.h"
 #include "outputs/output_claims.h"
 #include "picture/png.h"
@@ -90,13 +90,13 @@ void declare(CLI::App& command, ProfileOptions& options) {
         "bed, to the edge of\nthe grid; hollows count as filled.");
 }
 
-struct Place {
+struct GridPoint {
     double x = 0.0;
     double y = 0.0;
 };
 
-Place parse_place(const std::string& text, const char* option) {
-    Place place;
+GridPoint parse_point(const std::string& text, const char* option) {
+    GridPoint place;
     const char* end = text.data() + text.size();
     const auto first = std::from_chars(text.data(), end, place.x);
     const bool comma = first.ec == std::errc{} && first.ptr != end && *first.ptr == ',';
@@ -109,9 +109,9 @@ Place parse_place(const std::string& text, const char* option) {
 }
 
 /// Where a place lies in cells from the south-west corner.
-Place in_cells(const ProfileOptions& options, const std::string& text, const char* option,
-               const Snapshot& snapshot) {
-    const Place given = parse_place(text, option);
+GridPoint in_cells(const ProfileOptions& options, const std::string& text, const char* option,
+                   const Snapshot& snapshot) {
+    const GridPoint given = parse_point(text, option);
     const WorldScale& scale = snapshot.scale;
     if (options.on_map && !scale.place)
         throw InputError(fmt::format(
@@ -120,7 +120,7 @@ Place in_cells(const ProfileOptions& options, const std::string& text, const cha
             options.input, option));
     const GeoReference bed{0.0, 0.0, scale.dx, scale.dy};
     const GeoReference& place = options.on_map ? *scale.place : bed;
-    const Place found{(given.x - place.west) / place.dx, (given.y - place.south) / place.dy};
+    const GridPoint found{(given.x - place.west) / place.dx, (given.y - place.south) / place.dy};
     const int nx = snapshot.bed.nx();
     const int ny = snapshot.bed.ny();
     if (found.x >= 0.0 && found.y >= 0.0 && found.x <= nx && found.y <= ny) return found;
@@ -135,8 +135,8 @@ Place in_cells(const ProfileOptions& options, const std::string& text, const cha
 }
 
 /// Where the longest way down begins.
-Place longest_way(const FlowRouting& routing) {
-    const std::int32_t head = longest_way_head(routing);
+GridPoint main_stream_start(const FlowRouting& routing) {
+    const std::int32_t head = main_stream_head(routing);
     if (head == FlowRouting::outlet) throw InputError("the terrain has no cell with data");
     const int nx = routing.level.nx();
     const int x = head % nx;
@@ -173,8 +173,9 @@ Profile stream_of(const ProfileOptions& options, const Snapshot& snapshot, const
     const FlowRouting routing =
         route_flow(level, snapshot.nodata, snapshot.scale.dx, snapshot.scale.dy);
     const Grid area = drainage_area(routing);
-    const Place start = options.from.empty() ? longest_way(routing)
-                                             : in_cells(options, options.from, "--from", snapshot);
+    const GridPoint start = options.from.empty()
+                                ? main_stream_start(routing)
+                                : in_cells(options, options.from, "--from", snapshot);
     const StreamPath path =
         stream_path(routing, snapshot.nodata, std::min(static_cast<int>(start.x), bed.nx() - 1),
                     std::min(static_cast<int>(start.y), bed.ny() - 1));
@@ -193,13 +194,13 @@ Profile line_of(const ProfileOptions& options, const Snapshot& snapshot, const G
                 const Grid& level, const GeoReference& place) {
     std::vector<std::array<double, 2>> corners;
     for (const std::string& text : options.along) {
-        const Place corner = in_cells(options, text, "--along", snapshot);
+        const GridPoint corner = in_cells(options, text, "--along", snapshot);
         if (!corners.empty() && corners.back() == std::array{corner.x, corner.y})
             throw InputError(fmt::format("--along names {} twice, one after the other", text));
         corners.push_back({corner.x, corner.y});
     }
     Profile profile;
-    for (const LinePlace& at : places_along(corners, snapshot.scale.dx, snapshot.scale.dy)) {
+    for (const PolylinePoint& at : sample_polyline(corners, snapshot.scale.dx, snapshot.scale.dy)) {
         profile.distance.push_back(at.distance);
         add_place(profile, place, at.x, at.y);
         profile.bed.push_back(value_between(bed, snapshot.nodata, at.x, at.y));

@@ -1,6 +1,6 @@
 #include "cli/remark.h"
 
-#include "base/tell.h"
+#include "base/standard_error.h"
 
 namespace fumon {
 
@@ -19,7 +19,7 @@ bool makes_no_remarks() {
 }
 
 void remark(const std::string& text) {
-    if (!quiet) tell(text);
+    if (!quiet) print_to_stderr(text);
 }
 
 void add_quiet(CLI::App& command) {

@@ -117,8 +117,7 @@ std::vector<std::int64_t> share_of(const std::vector<std::int64_t>& numbers, con
 /// A frame that a killed program was writing is none of anybody else's.
 void claim(const OutputClaims& claims, const fs::path& file) {
     std::error_code fault;
-    claims.check(file,
-                 !fs::exists(fs::symlink_status(file, fault)) || says_that_fumon_made_it(file));
+    claims.check(file, !fs::exists(fs::symlink_status(file, fault)) || is_made_by_fumon(file));
 }
 
 OutputClaims claims_of(const RenderOptions& options, const StoredBeds& beds) {

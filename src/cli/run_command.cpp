@@ -77,8 +77,8 @@ void declare(CLI::App& command, RunOptions& options) {
         "kept).");
 }
 
-void tell_the_end(const RunOutcome& outcome, const PreparedRun& prepared, const RunFolder& folder,
-                  Progress& progress) {
+void report_outcome(const RunOutcome& outcome, const PreparedRun& prepared, const RunFolder& folder,
+                    Progress& progress) {
     progress.clear();
     const Timing& timing = outcome.timing;
     const double cell_steps = static_cast<double>(prepared.initial.bed.size()) *
@@ -93,9 +93,10 @@ void tell_the_end(const RunOutcome& outcome, const PreparedRun& prepared, const 
         progress.note(text);
 }
 
-void tell_of_drawing(const DrawingRecord& now, const RunCheckpoint& former, Progress& progress) {
-    if (former.frames.frames == 0) return;
-    const std::string differs = difference(parse_environment(former.drawing), now.environment);
+void report_renderer_change(const DrawingRecord& now, const RunCheckpoint& previous,
+                            Progress& progress) {
+    if (previous.frames.frames == 0) return;
+    const std::string differs = difference(parse_environment(previous.drawing), now.environment);
     if (differs.empty()) return;
     progress.note(
         fmt::format("frames so far were drawn otherwise ({}): they may differ in single "
@@ -103,7 +104,7 @@ void tell_of_drawing(const DrawingRecord& now, const RunCheckpoint& former, Prog
                     differs));
 }
 
-void tell_of_build(const BuildIdentity& then, Progress& progress) {
+void report_build_change(const BuildIdentity& then, Progress& progress) {
     if (then.tools == this_build().tools) return;
     progress.note(fmt::format(
         "steps so far were computed by a fumon from the same sources built otherwise: {} then, "
@@ -130,7 +131,7 @@ void print_json(const RunFolder& folder) {
 
 /// Makes a run that is prepared, in the folder; returns the exit status.
 int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
-         const ResumedRun* former) {
+         const ResumedRun* previous) {
     const Scene& scene = prepared.scene;
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(prepared.initial.bed.size()));
@@ -139,43 +140,43 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
         progress.note(winds);
 
     PipelineOptions how{options.work.backend, options.work.threads, options.checkpoint_every};
-    std::optional<FormerRun> from;
-    if (former != nullptr) {
-        from.emplace(FormerRun{former->checkpoint, former->first, *former->rest});
-        how.former = &*from;
+    std::optional<PreviousRun> from;
+    if (previous != nullptr) {
+        from.emplace(PreviousRun{previous->checkpoint, previous->first, *previous->rest});
+        how.previous = &*from;
         progress.note(fmt::format("goes on from step {} of {}",
-                                  with_commas(former->checkpoint.step),
+                                  with_commas(previous->checkpoint.step),
                                   with_commas(scene.run.steps)));
-        tell_of_build(former->checkpoint.build, progress);
+        report_build_change(previous->checkpoint.build, progress);
     }
     const ManifestFacts facts{scene, prepared.initial, prepared.pool->size(),
                               planned_files(scene, options.checkpoint_every)};
     const auto started = [&](const DrawingRecord& drawing) {
-        tell_drawing(drawing, progress);
+        report_drawing(drawing, progress);
         if (!drawing.environment.backend.empty())
             progress.verbose(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
-        if (former == nullptr) {
+        if (previous == nullptr) {
             folder.create(run_parts(scene, how.checkpoint_minutes));
         } else {
-            tell_of_drawing(drawing, former->checkpoint, progress);
-            folder.go_on(run_parts(scene, how.checkpoint_minutes), former->checkpoint);
+            report_renderer_change(drawing, previous->checkpoint, progress);
+            folder.resume(run_parts(scene, how.checkpoint_minutes), previous->checkpoint);
         }
         write_running_manifest(folder, facts, drawing);
     };
     const RunOutcome outcome = run_pipeline(*prepared.model, scene, prepared.initial.inputs,
                                             outputs_in(folder, scene), how, progress, started);
     const bool complete = !outcome.error && outcome.signal == 0;
-    if (complete) put_on_disk(folder, run_parts(scene, how.checkpoint_minutes), outcome);
+    if (complete) sync_to_disk(folder, run_parts(scene, how.checkpoint_minutes), outcome);
     try {
         write_final_manifest(folder, facts, outcome);
     } catch (const Error&) {
         // The run's error tells more; on a full disk the manifest goes on saying "running".
         if (!outcome.error) throw;
     }
-    if (!outcome.checkpoint) folder.forget_frames();
+    if (!outcome.checkpoint) folder.remove_frame_list();
     if (options.as_json) print_json(folder);
     if (outcome.error) std::rethrow_exception(outcome.error);
-    tell_the_end(outcome, prepared, folder, progress);
+    report_outcome(outcome, prepared, folder, progress);
     if (outcome.signal == 0) {
         folder.tidy();
         return 0;
@@ -200,12 +201,12 @@ int resume(const RunOptions& options) {
         if (std::filesystem::exists(folder.checkpoint())) folder.tidy();
         return 0;
     }
-    ResumedRun former = resume_run(folder, scene_argument(options.scene), options.work);
-    return work(former.run, folder, options, &former);
+    ResumedRun previous = resume_run(folder, scene_argument(options.scene), options.work);
+    return work(previous.run, folder, options, &previous);
 }
 
 PreparedRun prepare(const RunOptions& options) {
-    const EndAtOnce nothing_is_written;
+    const ExitOnSignal nothing_is_written;
     Scene scene = is_terrain_name(options.scene, options.work.settings)
                       ? terrain_run(terrain_argument(options.scene), options.work.settings)
                       : read_scene(scene_argument(options.scene), options.work.settings);

@@ -138,12 +138,12 @@ StillOptions with_coding(StillOptions options) {
 }
 
 PreparedRun prepare(const StillOptions& options, const StandardInput* given) {
-    const EndAtOnce nothing_is_written;
+    const ExitOnSignal nothing_is_written;
     return prepare_run(scene_of(options, given), options.work.threads);
 }
 
 void claim_outputs(OutputClaims& claims, const Scene& scene, const std::string& picture) {
-    const bool was_own = says_that_fumon_made_it(picture);
+    const bool was_own = is_made_by_fumon(picture);
     claims.writes(picture);
     if (small_ending(picture) == exr_ending.front()) return;
     for (const fs::path& file : map_file_names(scene, picture)) claims.writes(file, was_own);

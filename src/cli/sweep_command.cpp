@@ -130,8 +130,8 @@ std::vector<RunRecord> make_runs(const SweepPlan& plan, const SweepFolder& folde
 
 /// Says how it ended, with `what` the sweep or a shard of it and `where` its results; returns the
 /// exit status.
-int tell_the_end(const std::vector<RunRecord>& records, const std::string& what,
-                 const std::string& where, StatusLine& status) {
+int report_outcome(const std::vector<RunRecord>& records, const std::string& what,
+                   const std::string& where, StatusLine& status) {
     const std::size_t done = count(records, RunStatus::done);
     const std::size_t failed = count(records, RunStatus::failed);
     const int signal = done + failed < records.size() ? interrupting_signal() : 0;
@@ -157,7 +157,7 @@ int sweep_alone(const SweepPlan& plan, const SweepOptions& options, StatusLine& 
         make_runs(plan, folder, all_runs(plan), true, options, status);
     folder.write_runs(records);
     folder.write_table(records);
-    return tell_the_end(records, "", folder.table().string(), status);
+    return report_outcome(records, "", folder.table().string(), status);
 }
 
 int sweep_shard(const SweepPlan& plan, const Shard& shard, const SweepOptions& options,
@@ -166,8 +166,8 @@ int sweep_shard(const SweepPlan& plan, const Shard& shard, const SweepOptions& o
     for (const std::string& note : plan.notes) status.note(note);
     const std::vector<RunRecord> records = make_runs(
         plan, folder, runs_of_shard(plan, folder, shard.number, shard.of), false, options, status);
-    return tell_the_end(records, fmt::format("shard {}: ", shard_text(shard)), options.folder,
-                        status);
+    return report_outcome(records, fmt::format("shard {}: ", shard_text(shard)), options.folder,
+                          status);
 }
 
 int merge(const SweepPlan& plan, const SweepOptions& options, SweepFolder::Use use,
@@ -176,7 +176,7 @@ int merge(const SweepPlan& plan, const SweepOptions& options, SweepFolder::Use u
     folders.emplace_back(options.folder);
     const int shards = shards_in(folders);
     const SweepFolder folder(options.folder, plan, shards, use);
-    for (const std::string& from : options.from) take_runs(plan, folder, from);
+    for (const std::string& from : options.from) import_runs(plan, folder, from);
     const std::vector<RunRecord> records = read_records(folder, all_runs(plan));
     folder.write_runs(records);
     const std::vector<std::string> missing = missing_shards(plan, folder, records, shards);
@@ -188,7 +188,7 @@ int merge(const SweepPlan& plan, const SweepOptions& options, SweepFolder::Use u
     }
     folder.write_table(records);
     folder.end_sharing();
-    return tell_the_end(records, "", folder.table().string(), status);
+    return report_outcome(records, "", folder.table().string(), status);
 }
 
 /// The share of a program that mpirun started, and all of them together where no other one has

@@ -22,24 +22,24 @@ std::int64_t hash_beginning(const std::filesystem::path& file, std::int64_t leng
     return found;
 }
 
-AtomicFile checked(const std::filesystem::path& file, const FileBeginning& former) {
-    const std::string differs = difference(file, former);
+AtomicFile checked(const std::filesystem::path& file, const FileBeginning& previous) {
+    const std::string differs = difference(file, previous);
     if (!differs.empty())
         throw InputError(
-            fmt::format("{}: cannot go on with it: it {}", left_name(file).string(), differs));
-    return AtomicFile(file, former.length);
+            fmt::format("{}: cannot go on with it: it {}", surviving_file(file).string(), differs));
+    return AtomicFile(file, previous.length);
 }
 
 }  // namespace
 
-std::filesystem::path left_name(const std::filesystem::path& file) {
+std::filesystem::path surviving_file(const std::filesystem::path& file) {
     std::error_code fault;
     const std::filesystem::path temporary = temporary_name(resolved_link(file));
     return std::filesystem::exists(temporary, fault) ? temporary : file;
 }
 
 std::string difference(const std::filesystem::path& file, const FileBeginning& beginning) {
-    const std::filesystem::path left = left_name(file);
+    const std::filesystem::path left = surviving_file(file);
     std::error_code fault;
     if (!std::filesystem::exists(left, fault)) return "is not there";
     if (!std::filesystem::is_regular_file(left, fault)) return "is no file";
@@ -49,9 +49,9 @@ std::string difference(const std::filesystem::path& file, const FileBeginning& b
     return hash.finish() == beginning.hash ? "" : "has changed since it was written";
 }
 
-AppendedFile::AppendedFile(const std::filesystem::path& file, const FileBeginning& former)
-    : file_(checked(file, former)) {
-    hash_beginning(left_name(file), former.length, hash_);
+AppendedFile::AppendedFile(const std::filesystem::path& file, const FileBeginning& previous)
+    : file_(checked(file, previous)) {
+    hash_beginning(surviving_file(file), previous.length, hash_);
 }
 
 void AppendedFile::write(std::string_view bytes) {

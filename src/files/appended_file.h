@@ -18,7 +18,7 @@ struct FileBeginning {
 
 /// The name under which a program that was stopped left a file: its temporary one where there is
 /// one, else its own.
-std::filesystem::path left_name(const std::filesystem::path& file);
+std::filesystem::path surviving_file(const std::filesystem::path& file);
 
 /// Why a file does not begin with these bytes: "is not there", "has 40 bytes of 96" …; empty where
 /// it does. Throws where it cannot be read.
@@ -32,7 +32,7 @@ class AppendedFile {
     explicit AppendedFile(const std::filesystem::path& file) : file_(file) {}
     /// Goes on with what a former program left, after its first bytes. Throws InputError where they
     /// are no longer those that it wrote, Error where the file cannot be written.
-    AppendedFile(const std::filesystem::path& file, const FileBeginning& former);
+    AppendedFile(const std::filesystem::path& file, const FileBeginning& previous);
 
     void write(std::string_view bytes);  ///< throws as AtomicFile
     /// Puts all on disk, where it stays for a later program. Throws Error on failure.

@@ -19,10 +19,10 @@ namespace fumon {
 namespace {
 
 int open_retrying(const std::filesystem::path& file, int flags) {
-    constexpr mode_t everyone_may_read_and_write = 0666;  // less the umask
+    constexpr mode_t default_file_mode = 0666;  // less the umask
     int descriptor = -1;
     do {
-        descriptor = ::open(file.c_str(), flags, everyone_may_read_and_write);
+        descriptor = ::open(file.c_str(), flags, default_file_mode);
     } while (descriptor < 0 && errno == EINTR);
     return descriptor;
 }

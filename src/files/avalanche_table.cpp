@@ -123,8 +123,8 @@ AvalancheFile::AvalancheFile(const std::filesystem::path& file) : file_(file) {
     rows_.append(avalanche_table_header).push_back('\n');
 }
 
-AvalancheFile::AvalancheFile(const std::filesystem::path& file, const FileBeginning& former)
-    : file_(file, former) {}
+AvalancheFile::AvalancheFile(const std::filesystem::path& file, const FileBeginning& previous)
+    : file_(file, previous) {}
 
 void AvalancheFile::add(std::span<const Avalanche> avalanches) {
     constexpr std::size_t enough = 1 << 16;  // bytes; spares a system call for every grain

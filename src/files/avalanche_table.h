@@ -24,7 +24,7 @@ class AvalancheFile {
     /// Throws Error when it cannot be made.
     explicit AvalancheFile(const std::filesystem::path& file);
     /// Goes on with a former one, as AppendedFile does.
-    AvalancheFile(const std::filesystem::path& file, const FileBeginning& former);
+    AvalancheFile(const std::filesystem::path& file, const FileBeginning& previous);
     void add(std::span<const Avalanche> avalanches);  ///< throws Error on a full disk
     /// Puts all rows on disk. Throws Error on failure.
     [[nodiscard]] FileBeginning sync();

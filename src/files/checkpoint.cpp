@@ -56,23 +56,23 @@ CheckpointWriter::CheckpointWriter(const std::filesystem::path& file) : path_(fi
 }
 
 void CheckpointWriter::values(std::string_view name, std::span<double> values) {
-    put_numbers<double>('d', name, values);
+    write_numbers<double>('d', name, values);
 }
 
 void CheckpointWriter::values(std::string_view name, std::span<std::int64_t> values) {
-    put_numbers<std::int64_t>('i', name, values);
+    write_numbers<std::int64_t>('i', name, values);
 }
 
 void CheckpointWriter::list(std::string_view name, std::vector<double>& values) {
-    put_numbers<double>('d', name, values);
+    write_numbers<double>('d', name, values);
 }
 
 void CheckpointWriter::list(std::string_view name, std::vector<std::int64_t>& values) {
-    put_numbers<std::int64_t>('i', name, values);
+    write_numbers<std::int64_t>('i', name, values);
 }
 
 void CheckpointWriter::text(std::string_view name, std::string& text) {
-    put_head('t', name, text.size());
+    write_header('t', name, text.size());
     put(text);
 }
 
@@ -81,9 +81,9 @@ void CheckpointWriter::refuse(const std::string& why) const {
 }
 
 template <class Number>
-void CheckpointWriter::put_numbers(char kind, std::string_view name,
-                                   std::span<const Number> values) {
-    put_head(kind, name, values.size());
+void CheckpointWriter::write_numbers(char kind, std::string_view name,
+                                     std::span<const Number> values) {
+    write_header(kind, name, values.size());
     if constexpr (std::endian::native == std::endian::little) {
         put({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
     } else {
@@ -92,7 +92,7 @@ void CheckpointWriter::put_numbers(char kind, std::string_view name,
     }
 }
 
-void CheckpointWriter::put_head(char kind, std::string_view name, std::size_t count) {
+void CheckpointWriter::write_header(char kind, std::string_view name, std::size_t count) {
     if (name.size() > std::numeric_limits<std::uint16_t>::max()) refuse("a name is too long");
     put({&kind, 1});
     put(view_of(little_endian(static_cast<std::uint16_t>(name.size()))));
@@ -177,29 +177,29 @@ void CheckpointReader::check() {
 }
 
 void CheckpointReader::values(std::string_view name, std::span<double> values) {
-    if (take_head('d', name, sizeof(double)) != values.size())
+    if (read_header('d', name, sizeof(double)) != values.size())
         refuse(fmt::format("its {} has another size", name));
-    take_numbers(values);
+    read_numbers(values);
 }
 
 void CheckpointReader::values(std::string_view name, std::span<std::int64_t> values) {
-    if (take_head('i', name, sizeof(std::int64_t)) != values.size())
+    if (read_header('i', name, sizeof(std::int64_t)) != values.size())
         refuse(fmt::format("its {} has another size", name));
-    take_numbers(values);
+    read_numbers(values);
 }
 
 void CheckpointReader::list(std::string_view name, std::vector<double>& values) {
-    values.resize(take_head('d', name, sizeof(double)));
-    take_numbers(std::span(values));
+    values.resize(read_header('d', name, sizeof(double)));
+    read_numbers(std::span(values));
 }
 
 void CheckpointReader::list(std::string_view name, std::vector<std::int64_t>& values) {
-    values.resize(take_head('i', name, sizeof(std::int64_t)));
-    take_numbers(std::span(values));
+    values.resize(read_header('i', name, sizeof(std::int64_t)));
+    read_numbers(std::span(values));
 }
 
 void CheckpointReader::text(std::string_view name, std::string& text) {
-    text.resize(take_head('t', name, 1));
+    text.resize(read_header('t', name, 1));
     take(text.data(), text.size());
 }
 
@@ -212,7 +212,7 @@ void CheckpointReader::finish() {
 }
 
 /// The number of values that follow, of `size` bytes each: no more than there are bytes for.
-std::size_t CheckpointReader::take_head(char kind, std::string_view name, std::size_t size) {
+std::size_t CheckpointReader::read_header(char kind, std::string_view name, std::size_t size) {
     char found_kind = 0;
     std::array<char, sizeof(std::uint16_t)> length{};
     take(&found_kind, 1);
@@ -229,7 +229,7 @@ std::size_t CheckpointReader::take_head(char kind, std::string_view name, std::s
 }
 
 template <class Number>
-void CheckpointReader::take_numbers(std::span<Number> values) {
+void CheckpointReader::read_numbers(std::span<Number> values) {
     take(values.data(), values.size_bytes());
     if constexpr (std::endian::native != std::endian::little) {
         for (Number& value : values)

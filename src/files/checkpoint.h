@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "base/sha256.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "files/atomic_file.h"
 
 namespace fumon {
@@ -28,7 +28,7 @@ inline constexpr std::uint32_t checkpoint_format = 3;
 
 /// Writes one entry after the other, under a temporary name until commit(). Members throw Error on
 /// a full disk or any failed write.
-class CheckpointWriter : public StateCarrier {
+class CheckpointWriter : public StateArchive {
   public:
     explicit CheckpointWriter(const std::filesystem::path& file);
 
@@ -45,8 +45,8 @@ class CheckpointWriter : public StateCarrier {
 
   private:
     template <class Number>
-    void put_numbers(char kind, std::string_view name, std::span<const Number> values);
-    void put_head(char kind, std::string_view name, std::size_t count);
+    void write_numbers(char kind, std::string_view name, std::span<const Number> values);
+    void write_header(char kind, std::string_view name, std::size_t count);
     void put(std::string_view bytes);
     void flush();
 
@@ -59,7 +59,7 @@ class CheckpointWriter : public StateCarrier {
 
 /// Reads the entries back in their order. Memory is asked for only as far as the file has bytes
 /// for it.
-class CheckpointReader : public StateCarrier {
+class CheckpointReader : public StateArchive {
   public:
     /// Reads all bytes once and throws InputError "NAME: WHY; …" where they are no checkpoint, one
     /// of another format, cut short or damaged.
@@ -78,8 +78,8 @@ class CheckpointReader : public StateCarrier {
 
   private:
     template <class Number>
-    void take_numbers(std::span<Number> values);
-    std::size_t take_head(char kind, std::string_view name, std::size_t size);
+    void read_numbers(std::span<Number> values);
+    std::size_t read_header(char kind, std::string_view name, std::size_t size);
     void take(void* to, std::size_t count);
     void check();
 

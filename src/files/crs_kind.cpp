@@ -6,7 +6,7 @@ namespace fumon {
 
 namespace {
 
-bool says(const std::string& name, std::string_view word) {
+bool has_word(const std::string& name, std::string_view word) {
     return name.find(word) != std::string::npos;
 }
 
@@ -36,10 +36,10 @@ CrsKind crs_kind(std::string_view wkt) {
     }
     kind.projected = true;
     const std::string& name = first_value(system);
-    kind.utm = says(name, "UTM zone") || says(name, "UTM_Zone");
+    kind.utm = has_word(name, "UTM zone") || has_word(name, "UTM_Zone");
     const std::string& method = first_value(system->find({"PROJECTION", "METHOD"}));
-    kind.mercator =
-        says(method, "Mercator") && !says(method, "Transverse") && !says(method, "Oblique");
+    kind.mercator = has_word(method, "Mercator") && !has_word(method, "Transverse") &&
+                    !has_word(method, "Oblique");
     if (const WktNode* unit = unit_of(*system)) {
         kind.metres = unit->number(1).value_or(1.0);
         kind.unit = first_value(unit);

@@ -54,7 +54,7 @@ std::string harmless(const std::string& cell) {
 }
 
 /// What harmless() was given.
-std::string as_meant(std::string cell) {
+std::string without_formula_mark(std::string cell) {
     if (cell.starts_with('\'') && is_marked_formula(cell)) cell.erase(0, 1);
     return cell;
 }
@@ -114,7 +114,7 @@ class CsvReader {
     std::vector<std::string> line() {
         std::vector<std::string> cells;
         for (;;) {
-            cells.push_back(as_meant(at('"') ? quoted() : plain()));
+            cells.push_back(without_formula_mark(at('"') ? quoted() : plain()));
             if (!at(separator_)) return cells;
             ++place_;
         }

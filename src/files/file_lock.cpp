@@ -26,9 +26,8 @@ bool is_still_there(int descriptor, const std::filesystem::path& file) {
 }  // namespace
 
 FileLock::FileLock(std::filesystem::path file) : file_(std::move(file)) {
-    constexpr mode_t everyone_may_read_and_write = 0666;  // less the umask
-    const int descriptor =
-        ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, everyone_may_read_and_write);
+    constexpr mode_t default_file_mode = 0666;  // less the umask
+    const int descriptor = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, default_file_mode);
     if (descriptor < 0) refuse_to_write(file_, errno);
     if (!lock_descriptor(descriptor, file_) || !is_still_there(descriptor, file_)) {
         ::close(descriptor);

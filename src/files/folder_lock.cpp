@@ -17,7 +17,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::seconds
     : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (descriptor_ < 0) {
         if (errno != EACCES) refuse_to_write(folder, errno);
-        tell_not_locked(folder, errno);  // a folder that may be written, but not read
+        warn_not_locked(folder, errno);  // a folder that may be written, but not read
         return;
     }
     const auto end = std::chrono::steady_clock::now() + longest_wait;

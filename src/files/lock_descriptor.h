@@ -10,6 +10,6 @@ namespace fumon {
 bool lock_descriptor(int descriptor, const std::filesystem::path& named);
 
 /// Says, the first time, that something cannot be locked, for an errno value.
-void tell_not_locked(const std::filesystem::path& named, int reason);
+void warn_not_locked(const std::filesystem::path& named, int reason);
 
 }  // namespace fumon

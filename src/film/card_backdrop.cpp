@@ -44,7 +44,7 @@ constexpr std::array<std::array<std::uint32_t, 4>, 4> thresholds{
 }  // namespace
 
 Image card_backdrop(const Image& picture) {
-    const Image opaque = picture.transparent() ? laid_on(picture, behind) : picture;
+    const Image opaque = picture.transparent() ? composited_on(picture, behind) : picture;
     Image made(opaque.width, opaque.height);
     const auto width = static_cast<std::size_t>(opaque.width);
     const auto height = static_cast<std::size_t>(opaque.height);

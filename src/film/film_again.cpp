@@ -117,7 +117,7 @@ int make_film_again(const FilmAgain& wanted) {
         if (!beds) return exit_status_of_signal(interrupting_signal());
         stored.push_back(std::move(*beds));
     }
-    const FilmRuns film_runs(std::move(stored), showing_of(output.film));
+    const FilmRuns film_runs(std::move(stored), arrangement_of(output.film));
     const MadeFilm made = make_film(output, film_runs, text.remake, wanted.work, status);
     if (made.signal != 0) return exit_status_of_signal(made.signal);
     if (!wanted.work.settings.empty()) {

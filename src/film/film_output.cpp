@@ -104,7 +104,7 @@ bool is_own_sidecar(const fs::path& sidecar) {
 }
 
 bool is_own(const fs::path& film) {
-    return is_own_sidecar(sidecar_of(film)) || says_that_fumon_made_it(film);
+    return is_own_sidecar(sidecar_of(film)) || is_made_by_fumon(film);
 }
 
 /// Captions say nothing of who wrote them: they belong to the film beside them.

@@ -18,7 +18,7 @@ struct FilmOutput {
     std::filesystem::path file;
     Film film;                      ///< with the size, rate and format of this file
     std::int64_t most_bytes = 0;    ///< 0: any
-    bool goes_on = false;           ///< it keeps its frames until it is whole, see KeptFrames
+    bool goes_on = false;           ///< it keeps its frames until it is whole, see FrameCache
     std::filesystem::path sheet{};  ///< a contact sheet of the same frames beside a movie; or none
 };
 

@@ -60,7 +60,7 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
       stage_(make_stage(film, runs.first(), layout_.size())),
       backend_(backend),
       pool_(pool),
-      ahead_(pool.size()) {
+      prefetch_(pool.size()) {
     if (layout_.boxes().size() > 1) stage_.overrun = overrun_of_pane(stage_.aspect);
     for (std::size_t i = 0; i < film.shots.size(); ++i) shots_.emplace_back(film, i, stage_, runs);
     const double side = static_cast<double>(std::min(size.width, size.height));
@@ -259,10 +259,10 @@ void FilmPainter::place_overlays(const FilmSize& size) {
 
 /// The pictures of runs that a frame is put together of, in the order in which they are drawn;
 /// those under a card left out.
-std::vector<WantedPicture> FilmPainter::pictures_of(std::int64_t frame) const {
+std::vector<PictureRequest> FilmPainter::pictures_of(std::int64_t frame) const {
     const std::size_t runs = film_.panes.show == PanesShow::wipe ? 2 : layout_.boxes().size();
-    std::vector<WantedPicture> pictures;
-    for (const PartOfFrame& shown : timeline_.at(frame)) {
+    std::vector<PictureRequest> pictures;
+    for (const FramePart& shown : timeline_.at(frame)) {
         if (shown.part->kind != FilmPart::Kind::shot) continue;
         for (std::size_t run = 0; run < runs; ++run)
             pictures.push_back({run, shown.part->number, shown.share, frame_of(shown)});
@@ -271,11 +271,11 @@ std::vector<WantedPicture> FilmPainter::pictures_of(std::int64_t frame) const {
 }
 
 /// Streamers move where camera and bed stand still, too.
-std::int64_t FilmPainter::frame_of(const PartOfFrame& shown) const {
+std::int64_t FilmPainter::frame_of(const FramePart& shown) const {
     return stage_.scene.view.streamers.strength > 0.0 ? shown.frame : 0;
 }
 
-FilmPainter::Sight FilmPainter::sight_of(const WantedPicture& wanted) const {
+FilmPainter::ViewState FilmPainter::view_state_of(const PictureRequest& wanted) const {
     const StagedShot& shot = shots_[wanted.shot];
     return {{wanted.shot, shot.bed_at(wanted.share)}, shot.pose_at(wanted.share), wanted.frame};
 }
@@ -294,57 +294,62 @@ bool leaves_sun_to_scene(const Shot& shot) {
 }  // namespace
 
 /// Reads the bed, and says how what its picture needs is found.
-PictureAhead::Find FilmPainter::way_to(std::size_t run, const Sight& sight) const {
-    FramePose frame{camera_of(stage_, sight.pose), stage_.scene.view.sun, sight.pose.exposure};
-    frame.sun.azimuth = sight.pose.sun_azimuth;
-    frame.sun.elevation = sight.pose.sun_elevation;
-    frame.frame = sight.frame;
-    frame.metered = camera_of(stage_, shots_[sight.moment.shot].pose_at(0.0));
+PicturePrefetch::Find FilmPainter::preparation_of(std::size_t run,
+                                                  const ViewState& view_state) const {
+    FramePose frame{camera_of(stage_, view_state.pose), stage_.scene.view.sun,
+                    view_state.pose.exposure};
+    frame.sun.azimuth = view_state.pose.sun_azimuth;
+    frame.sun.elevation = view_state.pose.sun_elevation;
+    frame.frame = view_state.frame;
+    frame.metered = camera_of(stage_, shots_[view_state.moment.shot].pose_at(0.0));
     const StoredBeds& beds = *panes_[run].beds;
-    frame.share = share_of_run(beds.beds()[bed_of(run, sight.moment)].step, beds.scene().run.steps);
+    frame.share =
+        share_of_run(beds.beds()[bed_of(run, view_state.moment)].step, beds.scene().run.steps);
     const SunSettings there = sun_at(beds.scene().view.sun, frame.share);
-    if (there.hours != 0.0 && leaves_sun_to_scene(film_.shots[sight.moment.shot]))
+    if (there.hours != 0.0 && leaves_sun_to_scene(film_.shots[view_state.moment.shot]))
         frame.sun = there;
-    if (differs()) frame.reference = panes_[1].beds->snapshot(bed_of(1, sight.moment));
+    if (differs()) frame.reference = panes_[1].beds->snapshot(bed_of(1, view_state.moment));
     const Pane& pane = panes_[run];
-    return
-        [&renderer = *pane.renderer, bed = pane.beds->snapshot(bed_of(run, sight.moment)), frame,
-         before = pane.lit](WorkerPool& pool) { return renderer.ready(bed, frame, before, pool); };
+    return [&renderer = *pane.renderer, bed = pane.beds->snapshot(bed_of(run, view_state.moment)),
+            frame, before = pane.lit](WorkerPool& pool) {
+        return renderer.ready(bed, frame, before, pool);
+    };
 }
 
-void FilmPainter::look_ahead_from(const WantedPicture& present) {
+void FilmPainter::prefetch_from(const PictureRequest& present) {
     auto next = std::ranges::find(coming_, present);
     if (next == coming_.end() || ++next == coming_.end()) return;
-    const Sight sight = sight_of(*next);
-    if (panes_[next->run].seen != sight) ahead_.begin(*next, way_to(next->run, sight));
+    const ViewState view_state = view_state_of(*next);
+    if (panes_[next->run].seen != view_state)
+        prefetch_.begin(*next, preparation_of(next->run, view_state));
 }
 
 /// What one run shows.
-Image FilmPainter::picture(std::size_t run, const PartOfFrame& shown) {
-    const WantedPicture wanted{run, shown.part->number, shown.share, frame_of(shown)};
+Image FilmPainter::picture(std::size_t run, const FramePart& shown) {
+    const PictureRequest wanted{run, shown.part->number, shown.share, frame_of(shown)};
     Pane& pane = panes_[run];
-    const Sight sight = sight_of(wanted);
-    std::optional<ReadyPicture> ready = ahead_.take(wanted);
-    if (pane.seen != sight) {
-        if (!ready) ready = way_to(run, sight)(pool_);
+    const ViewState view_state = view_state_of(wanted);
+    std::optional<ReadyPicture> ready = prefetch_.take(wanted);
+    if (pane.seen != view_state) {
+        if (!ready) ready = preparation_of(run, view_state)(pool_);
         pane.lit = ready->lit;
-        pane.seen = sight;
-        look_ahead_from(wanted);
+        pane.seen = view_state;
+        prefetch_from(wanted);
         pane.image = pane.renderer->render(*ready);
     } else {
-        look_ahead_from(wanted);
+        prefetch_from(wanted);
     }
     Image image = pane.image;
     if (pane.overlays) {
-        const std::size_t number = bed_of(run, sight.moment);
-        const Camera camera = camera_of(stage_, sight.pose);
+        const std::size_t number = bed_of(run, view_state.moment);
+        const Camera camera = camera_of(stage_, view_state.pose);
         pane.overlays->draw(image, {*pane.beds->snapshot(number), pane.rows[number],
                                     pane.renderer->frame_colour_range(), &camera});
     }
     return image;
 }
 
-Image FilmPainter::ground(const PartOfFrame& shown) {
+Image FilmPainter::ground(const FramePart& shown) {
     if (shown.part->kind == FilmPart::Kind::card) {
         return titles_->card(shown.part->number, shown.share,
                              [&](std::int64_t frame) { return ground(timeline_.shot_at(frame)); });
@@ -363,7 +368,7 @@ Image FilmPainter::ground(const PartOfFrame& shown) {
     return whole;
 }
 
-void FilmPainter::write_over(Image& image, const PartOfFrame& shown) {
+void FilmPainter::write_over(Image& image, const FramePart& shown) {
     if (!overlays_ || shown.part->kind == FilmPart::Kind::card) return;
     const StagedShot& shot = shots_[shown.part->number];
     const std::size_t number = shot.bed_at(shown.share);
@@ -375,10 +380,10 @@ void FilmPainter::write_over(Image& image, const PartOfFrame& shown) {
 
 Image FilmPainter::paint(std::int64_t frame) {
     open();
-    const std::vector<PartOfFrame> shown = timeline_.at(frame);
+    const std::vector<FramePart> shown = timeline_.at(frame);
     coming_ = pictures_of(frame);
     if (frame == last_frame_ + 1 && frame + 1 < frames()) {
-        const std::vector<WantedPicture> next = pictures_of(frame + 1);
+        const std::vector<PictureRequest> next = pictures_of(frame + 1);
         coming_.insert(coming_.end(), next.begin(), next.end());
     }
     last_frame_ = frame;

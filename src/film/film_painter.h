@@ -16,7 +16,7 @@
 #include "film/camera/stage.h"
 #include "film/film_frames.h"
 #include "film/panes.h"
-#include "film/picture_ahead.h"
+#include "film/picture_prefetch.h"
 #include "film/timeline.h"
 #include "film/titles.h"
 #include "gl/context.h"
@@ -60,11 +60,11 @@ class FilmPainter : public FilmFrames {
         friend auto operator<=>(const Moment&, const Moment&) = default;
     };
     /// All that the picture of a run depends on.
-    struct Sight {
+    struct ViewState {
         Moment moment;
         CameraPose pose;
-        std::int64_t frame = 0;  ///< see WantedPicture
-        friend bool operator==(const Sight&, const Sight&) = default;
+        std::int64_t frame = 0;  ///< see PictureRequest
+        friend bool operator==(const ViewState&, const ViewState&) = default;
     };
     /// One run's part of the picture.
     struct Pane {
@@ -74,7 +74,7 @@ class FilmPainter : public FilmFrames {
         std::unique_ptr<Renderer> renderer{};
         std::unique_ptr<FrameOverlays> overlays{};  ///< what is its own: plots
         std::shared_ptr<const LitBed> lit{};        ///< of its last picture
-        std::optional<Sight> seen{};                ///< likewise
+        std::optional<ViewState> seen{};            ///< likewise
         Image image{};                              ///< likewise, without overlays
     };
 
@@ -87,14 +87,15 @@ class FilmPainter : public FilmFrames {
     void fix_colours(const std::set<Moment>& shown);
     void fix_plots(const std::set<Moment>& shown);
     void place_overlays(const FilmSize& size);
-    [[nodiscard]] std::vector<WantedPicture> pictures_of(std::int64_t frame) const;
-    [[nodiscard]] std::int64_t frame_of(const PartOfFrame& shown) const;
-    [[nodiscard]] Sight sight_of(const WantedPicture& wanted) const;
-    [[nodiscard]] PictureAhead::Find way_to(std::size_t run, const Sight& sight) const;
-    void look_ahead_from(const WantedPicture& present);
-    Image picture(std::size_t run, const PartOfFrame& shown);
-    Image ground(const PartOfFrame& shown);
-    void write_over(Image& image, const PartOfFrame& shown);
+    [[nodiscard]] std::vector<PictureRequest> pictures_of(std::int64_t frame) const;
+    [[nodiscard]] std::int64_t frame_of(const FramePart& shown) const;
+    [[nodiscard]] ViewState view_state_of(const PictureRequest& wanted) const;
+    [[nodiscard]] PicturePrefetch::Find preparation_of(std::size_t run,
+                                                       const ViewState& view_state) const;
+    void prefetch_from(const PictureRequest& present);
+    Image picture(std::size_t run, const FramePart& shown);
+    Image ground(const FramePart& shown);
+    void write_over(Image& image, const FramePart& shown);
 
     const Film& film_;
     const FilmRuns& runs_;
@@ -112,8 +113,8 @@ class FilmPainter : public FilmFrames {
     std::unique_ptr<FrameOverlays> overlays_;  ///< over the whole picture
     std::unique_ptr<Titles> titles_;
     std::int64_t last_frame_ = -2;
-    std::vector<WantedPicture> coming_;  ///< of the present frame and, frame after frame, the next
-    PictureAhead ahead_;                 // last: it uses the renderers
+    std::vector<PictureRequest> coming_;  ///< of the present frame and, frame after frame, the next
+    PicturePrefetch prefetch_;            // last: it uses the renderers
 };
 
 }  // namespace fumon

@@ -18,7 +18,7 @@ void FilmPainter::open() {
 
 void FilmPainter::close() {
     if (!context_) return;
-    ahead_.leave();
+    prefetch_.wait_idle();
     context_->make_current();  // other films may have drawn since
     for (Pane& pane : panes_) {
         pane.renderer.reset();

@@ -115,7 +115,7 @@ class FilmReader {
     void read_value(const Key& key, const toml::node& value, const std::string& place) {
         if (value.is_table()) {
             throw InputError(fmt::format("{}: {} is no section; it takes {}", place, key.path,
-                                         what_it_takes(key)));
+                                         accepted_values(key)));
         }
         assign(key, value, [this](const auto& region) { return locate(region); });
     }

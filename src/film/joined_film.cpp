@@ -79,10 +79,10 @@ DrawingRecord JoinedFilm::record() {
 }
 
 bool JoinedFilm::transparent() const {
-    return film_.settings.background == FilmGround::transparent;
+    return film_.settings.background == FilmBackground::transparent;
 }
 
-Image JoinedFilm::ground(const PartOfFrame& shown, std::int64_t frame) {
+Image JoinedFilm::ground(const FramePart& shown, std::int64_t frame) {
     const FilmPart& part = *shown.part;
     if (part.kind == FilmPart::Kind::card) {
         return titles_->card(part.number, shown.share, [&](std::int64_t beside) {
@@ -96,7 +96,7 @@ Image JoinedFilm::ground(const PartOfFrame& shown, std::int64_t frame) {
 }
 
 Image JoinedFilm::paint(std::int64_t frame) {
-    const std::vector<PartOfFrame> shown = timeline_.at(frame);
+    const std::vector<FramePart> shown = timeline_.at(frame);
     Image image = ground(shown.front(), frame);
     if (shown.size() > 1)
         image = mixed(std::move(image), ground(shown.back(), frame), shown.back().weight);

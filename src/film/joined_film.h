@@ -45,7 +45,7 @@ class JoinedFilm : public FilmFrames {
     [[nodiscard]] Film film_of(std::size_t number) const;
     void place_piece(std::size_t number);
     FilmPainter& painter(std::size_t number);
-    Image ground(const PartOfFrame& shown, std::int64_t frame);
+    Image ground(const FramePart& shown, std::int64_t frame);
 
     const Film& film_;
     const FilmRuns& runs_;

@@ -96,8 +96,8 @@ Lettering::Lettering(const std::vector<LetteredLine>& lines, double widest) {
 }
 
 void Lettering::draw(Image& image, double middle, double top, double opacity) const {
-    lay_over(image, layer_, static_cast<int>(std::lround(middle - 0.5 * layer_.width)),
-             static_cast<int>(std::lround(top)) - margin_, opacity);
+    composite_over(image, layer_, static_cast<int>(std::lround(middle - 0.5 * layer_.width)),
+                   static_cast<int>(std::lround(top)) - margin_, opacity);
 }
 
 }  // namespace fumon

@@ -19,10 +19,10 @@
 #include "film/contact_sheet.h"
 #include "film/film_read.h"
 #include "film/film_texts.h"
+#include "film/frame_cache.h"
 #include "film/frame_consumer.h"
 #include "film/frame_spool.h"
 #include "film/joined_film.h"
-#include "film/kept_frames.h"
 #include "picture/colour_table.h"
 #include "picture/movie.h"
 #include "run/picture_text.h"
@@ -47,13 +47,13 @@ struct Interrupted {
 };
 
 /// A file that is there until this ends; only what kills the program leaves it.
-struct Fleeting {
+struct TransientFile {
     fs::path file{};  ///< none where empty
 
-    explicit Fleeting(fs::path file_) : file(std::move(file_)) {}
-    Fleeting(const Fleeting&) = delete;
-    Fleeting& operator=(const Fleeting&) = delete;
-    ~Fleeting() {
+    explicit TransientFile(fs::path file_) : file(std::move(file_)) {}
+    TransientFile(const TransientFile&) = delete;
+    TransientFile& operator=(const TransientFile&) = delete;
+    ~TransientFile() {
         std::error_code fault;
         if (!file.empty()) fs::remove(file, fault);
     }
@@ -61,7 +61,7 @@ struct Fleeting {
 
 /// Whether what a killed program leaves of such a movie plays: MP4 and QuickTime say only at their
 /// end where the frames are.
-bool plays_before_it_is_whole(const MovieFormat& format) {
+bool plays_while_incomplete(const MovieFormat& format) {
     return format.muxer != "mp4" && format.muxer != "mov";
 }
 
@@ -123,7 +123,7 @@ class FilmMaker {
         const bool fits = before && before->width == painter_->size().width &&
                           before->height == painter_->size().height;
         Image image = fits ? *std::move(before) : painter_->paint(frame);
-        if (image.transparent() && !open_) image = laid_on(image, 255);
+        if (image.transparent() && !open_) image = composited_on(image, 255);
         if (kept_ && !fits) kept_->add(frame, image);
         if (status_.due()) {
             const double seconds = watch_.seconds();
@@ -216,9 +216,9 @@ class FilmMaker {
 
     void write_at_once() {
         if (output_.goes_on) kept_.emplace(output_.file, identity());
-        const Fleeting part{plays_before_it_is_whole(format())
-                                ? fs::path()
-                                : temporary_name(resolved_link(output_.file))};
+        const TransientFile part{plays_while_incomplete(format())
+                                     ? fs::path()
+                                     : temporary_name(resolved_link(output_.file))};
         Movie movie(kept_ ? kept_->whole() : output_.file, made_.width, made_.height,
                     film_.settings.rate,
                     MovieCoding{format(), static_cast<int>(film_.settings.quality), nullptr, open_,
@@ -315,7 +315,7 @@ class FilmMaker {
     Sha256Stream pixels_;
     Stopwatch watch_;
     MadeFilm made_;
-    std::optional<KeptFrames> kept_;
+    std::optional<FrameCache> kept_;
 
   public:
     /// What stands beside the file.

@@ -18,14 +18,15 @@ double excerpt_seconds(const Excerpt& excerpt, double rate) {
 }  // namespace
 
 Timeline::Timeline(const Film& film) : rate_(film.settings.rate) {
-    const auto add_cards = [&](CardPlace place) {
+    const auto add_cards = [&](CardPosition place) {
         for (std::size_t i = 0; i < film.cards.size(); ++i) {
             const Card& card = film.cards[i];
-            if (card.place != place || card.ground == CardGround::picture) continue;
-            add({FilmPart::Kind::card, i}, card.seconds, place == CardPlace::end ? card.fade : 0.0);
+            if (card.place != place || card.ground == CardBackground::picture) continue;
+            add({FilmPart::Kind::card, i}, card.seconds,
+                place == CardPosition::end ? card.fade : 0.0);
         }
     };
-    add_cards(CardPlace::start);
+    add_cards(CardPosition::start);
     const bool after_card = !parts_.empty();
     shots_begin_ = frames_;
     const auto overlap_of = [&](const auto& piece, std::size_t number) {
@@ -50,7 +51,7 @@ Timeline::Timeline(const Film& film) : rate_(film.settings.rate) {
         if (i == 0) shots_begin_ = parts_.back().first;
     }
     shots_end_ = frames_;
-    add_cards(CardPlace::end);
+    add_cards(CardPosition::end);
 }
 
 void Timeline::add(FilmPart part, double seconds, double overlap) {
@@ -65,8 +66,8 @@ void Timeline::add(FilmPart part, double seconds, double overlap) {
     parts_.push_back(part);
 }
 
-std::vector<PartOfFrame> Timeline::at(std::int64_t frame) const {
-    std::vector<PartOfFrame> shown;
+std::vector<FramePart> Timeline::at(std::int64_t frame) const {
+    std::vector<FramePart> shown;
     for (const FilmPart& part : parts_) {
         const std::int64_t within = frame - part.first;
         if (within < 0 || within >= part.frames) continue;
@@ -85,10 +86,10 @@ std::vector<PartOfFrame> Timeline::at(std::int64_t frame) const {
     return shown;
 }
 
-PartOfFrame Timeline::shot_at(std::int64_t frame) const {
-    std::vector<PartOfFrame> shown = at(frame);
+FramePart Timeline::shot_at(std::int64_t frame) const {
+    std::vector<FramePart> shown = at(frame);
     std::erase_if(shown,
-                  [](const PartOfFrame& one) { return one.part->kind == FilmPart::Kind::card; });
+                  [](const FramePart& one) { return one.part->kind == FilmPart::Kind::card; });
     return shown.back();
 }
 

@@ -21,7 +21,7 @@ struct FilmPart {
 };
 
 /// What a frame of the film shows: a part, at a share of it.
-struct PartOfFrame {
+struct FramePart {
     const FilmPart* part = nullptr;
     double share = 0.0;      ///< 0 … 1
     double weight = 1.0;     ///< in a cross-fade
@@ -36,10 +36,10 @@ class Timeline {
     [[nodiscard]] std::int64_t frames() const { return frames_; }
     [[nodiscard]] const std::vector<FilmPart>& parts() const { return parts_; }
     /// One part, or the two of a cross-fade, the one that goes first.
-    [[nodiscard]] std::vector<PartOfFrame> at(std::int64_t frame) const;
+    [[nodiscard]] std::vector<FramePart> at(std::int64_t frame) const;
     /// What a frame between shots_begin() and shots_end() shows besides a card: the last where
     /// several are seen.
-    [[nodiscard]] PartOfFrame shot_at(std::int64_t frame) const;
+    [[nodiscard]] FramePart shot_at(std::int64_t frame) const;
     /// The first and the frame after the last one of the shots, without cards before and
     /// after.
     [[nodiscard]] std::int64_t shots_begin() const { return shots_begin_; }

@@ -49,7 +49,7 @@ std::vector<LetteredLine> lines_of(const Film& film, std::size_t number, const S
     std::vector<std::string> below = card.lines;
     if (title.empty() && below.empty()) {
         title = "{title}";
-        if (card.place == CardPlace::end) below = {"Made with fumon {version}", "{remake}"};
+        if (card.place == CardPosition::end) below = {"Made with fumon {version}", "{remake}"};
     }
     std::vector<LetteredLine> lines;
     if (!title.empty())
@@ -116,13 +116,13 @@ Titles::Titles(const Film& film, const FilmStage& stage, const Snapshot& first,
             throw InputError(fmt::format("{}card.{} has more lines than the picture has room for",
                                          film.at(key), i));
         }
-        if (card.ground != CardGround::picture) continue;
+        if (card.ground != CardBackground::picture) continue;
         const std::int64_t shots = timeline.shots_end() - timeline.shots_begin();
         const std::int64_t frames =
             std::clamp<std::int64_t>(std::lround(card.seconds * rate_), 1, shots);
         over_.push_back({i,
-                         card.place == CardPlace::start ? timeline.shots_begin()
-                                                        : timeline.shots_end() - frames,
+                         card.place == CardPosition::start ? timeline.shots_begin()
+                                                           : timeline.shots_end() - frames,
                          frames});
     }
     bottom_ = (1.0 - safe_margin) * height_;
@@ -150,7 +150,7 @@ double Titles::opacity_of(const Card& card, double seconds) const {
     if (card.fade <= 0.0) return 1.0;
     const double length = std::round(card.seconds * rate_) / rate_;
     const double fade = std::min(card.fade, 0.5 * length);
-    const bool stays = card.place == CardPlace::end;  // the film ends with it
+    const bool stays = card.place == CardPosition::end;  // the film ends with it
     const double coming = seconds / fade;
     const double going = stays ? 1.0 : (length - seconds) / fade;
     return std::clamp(std::min(coming, going), 0.0, 1.0);
@@ -182,8 +182,8 @@ const Image& Titles::ground_of(std::size_t card, const PictureOf& picture) {
     Image& ground = found->second;
     if (!added) return ground;
     const Card& settings = film_.cards[card];
-    if (settings.ground == CardGround::blurred) {
-        ground = card_backdrop(picture(settings.place == CardPlace::start ? first_ : last_));
+    if (settings.ground == CardBackground::blurred) {
+        ground = card_backdrop(picture(settings.place == CardPosition::start ? first_ : last_));
     } else {
         std::ranges::fill(ground.rgb, darkness);
     }

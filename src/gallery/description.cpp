@@ -27,7 +27,7 @@ std::string cells_of(const Scene& scene) {
     return fmt::format("{} of the model {}", cells, scene.model.name);
 }
 
-std::string seen_from(const Scene& scene) {
+std::string view_direction_text(const Scene& scene) {
     const bool is_placed = !scene.view.camera.at.empty() || !scene.view.camera.look_at.empty();
     if (scene.view.camera.projection == Projection::map || is_placed) return "";
     return fmt::format(", seen from the {}", side_of(scene.view.camera.azimuth));
@@ -42,7 +42,7 @@ const char* kind_of_view(const Scene& scene) {
 std::string described_picture(const Scene& scene, const std::string& step) {
     const std::string when = step.empty() ? "" : " at step " + step;
     return fmt::format("{} of {}{}{}", kind_of_view(scene), cells_of(scene), when,
-                       seen_from(scene));
+                       view_direction_text(scene));
 }
 
 std::string described_film(const Scene& scene) {

@@ -59,7 +59,7 @@ Texts texts_of(const fs::path& file) {
     const std::string ending = small_ending(file);
     if (std::ranges::find(with_sidecars, ending) != with_sidecars.end() && is_file(sidecar(file)))
         return texts_of_sidecar(file);
-    if (!says_that_fumon_made_it(file)) return {};
+    if (!is_made_by_fumon(file)) return {};
     PictureText texts;
     if (std::ranges::find(pixel_endings, ending) != pixel_endings.end())
         texts = read_picture_texts(file);
@@ -91,8 +91,8 @@ std::string described(const std::string& kind, const Scene& scene, const std::st
 }
 
 /// What an item tells of the scene that its file was made from, which was written with every key.
-void tell_scene(GalleryItem& item, const std::string& text, const std::string& source,
-                const std::string& step) {
+void describe_scene(GalleryItem& item, const std::string& text, const std::string& source,
+                    const std::string& step) {
     try {
         SceneText written{text, source, ""};
         written.trusted = false;  // nothing is run
@@ -107,7 +107,7 @@ void tell_scene(GalleryItem& item, const std::string& text, const std::string& s
 /// The paragraphs of the caption beside a figure, if fumon wrote it.
 std::vector<std::string> caption_of(const fs::path& file) {
     std::vector<std::string> paragraphs;
-    if (!is_file(file) || !says_that_fumon_made_it(file)) return paragraphs;
+    if (!is_file(file) || !is_made_by_fumon(file)) return paragraphs;
     const std::string text = read_input_file(file);
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find("\n\n", begin), text.size());
@@ -203,7 +203,7 @@ class Gathering {
         item.kind = kind;
         item.title = text("Title").empty() ? stem.filename().string() : text("Title");
         item.description = item.title;
-        if (!scene.empty()) tell_scene(item, scene, file.string(), text("fumon:step"));
+        if (!scene.empty()) describe_scene(item, scene, file.string(), text("fumon:step"));
         const std::string shown = "files/" + item.name + ending;
         add_another(item, file, is_film);
         if (is_film) {
@@ -218,7 +218,7 @@ class Gathering {
         }
         if (kind == "figure") {
             const fs::path page = stem.string() + ".pdf";
-            if (is_file(page) && says_that_fumon_made_it(page)) add_companion(item, stem, ".pdf");
+            if (is_file(page) && is_made_by_fumon(page)) add_companion(item, stem, ".pdf");
             item.caption = caption_of(stem.string() + ".caption.txt");
             if (!item.caption.empty()) add_companion(item, stem, ".caption.txt");
         }
@@ -265,8 +265,8 @@ class Gathering {
             item.files.push_back({item.name + small_ending(*shown), *shown});
             if (found != texts.end()) {
                 const auto step = texts.find("fumon:step");
-                tell_scene(item, found->second, folder.string(),
-                           step == texts.end() ? "" : step->second);
+                describe_scene(item, found->second, folder.string(),
+                               step == texts.end() ? "" : step->second);
                 item.files.push_back({item.name + ".toml", {}, found->second});
                 item.again = {
                     fmt::format("fumon run files/{}.toml -o out/{}", item.name, item.name)};

@@ -170,7 +170,7 @@ std::string scale_line(const MeasuredHops& hops) {
 
 bool names_flights(const fs::path& law, const fs::path& flights) {
     std::error_code fault;
-    if (!fs::is_regular_file(law, fault) || !says_that_fumon_made_it(law)) return false;
+    if (!fs::is_regular_file(law, fault) || !is_made_by_fumon(law)) return false;
     return read_input_file(law).find("\n" + flights_line(law, flights)) != std::string::npos;
 }
 

@@ -62,7 +62,7 @@ std::string as_written(const toml::node& value) {
 
 [[noreturn]] void refuse(const Key& key, const toml::node& value, const Locate& locate) {
     throw InputError(fmt::format("{}: {} is {}; it takes {}", locate(value.source()), key.path,
-                                 as_written(value), what_it_takes(key)));
+                                 as_written(value), accepted_values(key)));
 }
 
 std::optional<double> real_of(const toml::node& value) {
@@ -71,7 +71,7 @@ std::optional<double> real_of(const toml::node& value) {
     return std::nullopt;
 }
 
-std::optional<std::int64_t> whole_of(const toml::node& value) {
+std::optional<std::int64_t> truncated(const toml::node& value) {
     if (const auto* whole = value.as_integer()) return whole->get();
     if (const auto* real = value.as_floating_point()) {
         constexpr double exact_limit = 9007199254740992.0;  // 2^53
@@ -90,7 +90,7 @@ double checked_real(const Key& key, const toml::node& value, const Locate& locat
 }
 
 std::int64_t checked_whole(const Key& key, const toml::node& value, const Locate& locate) {
-    const auto whole = whole_of(value);
+    const auto whole = truncated(value);
     if (!whole || !key.notes.range.contains(static_cast<double>(*whole)))
         refuse(key, value, locate);
     return *whole;
@@ -183,7 +183,7 @@ Value& item_at(const Key& key, std::vector<Value>& values, std::size_t index,
 
 }  // namespace
 
-std::string what_it_takes(const Key& key) {
+std::string accepted_values(const Key& key) {
     struct Text {
         const Key& key;
         std::string operator()(const bool*) const { return "true or false"; }
@@ -228,7 +228,7 @@ void assign_item(const Key& key, std::size_t index, const toml::node& value, con
             Assign{key, value, locate}.checked_text(value);
     } else {
         throw InputError(fmt::format("{}: {} is no list; it takes {}", locate(value.source()),
-                                     key.path, what_it_takes(key)));
+                                     key.path, accepted_values(key)));
     }
 }
 

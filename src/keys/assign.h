@@ -21,6 +21,6 @@ void assign(const Key& key, const toml::node& value, const Locate& locate);
 void assign_item(const Key& key, std::size_t index, const toml::node& value, const Locate& locate);
 
 /// "a whole number", "one of \"a\", \"b\"", … : what a key takes, with unit and range.
-std::string what_it_takes(const Key& key);
+std::string accepted_values(const Key& key);
 
 }  // namespace fumon

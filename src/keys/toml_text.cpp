@@ -150,13 +150,13 @@ class NestingScan {
     std::vector<int> open_;  ///< of each open list or inline table: itself and its key's parts
 };
 
-struct Place {
+struct TextPosition {
     std::size_t line = 1;
     std::size_t column = 1;  ///< in characters
 };
 
-Place place_of(std::string_view text, std::size_t offset) {
-    Place place;
+TextPosition place_of(std::string_view text, std::size_t offset) {
+    TextPosition place;
     for (const char c : text.substr(0, offset)) {
         const bool continues = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
         if (c == '\n') {
@@ -187,7 +187,7 @@ toml::table parse_toml(std::string_view text, const std::string& name, std::stri
     }
     const std::size_t deep = NestingScan(text).first_deeper_than(deepest_toml);
     if (deep < text.size()) {
-        const Place place = place_of(text, deep);
+        const TextPosition place = place_of(text, deep);
         throw InputError(fmt::format("{}:{}:{}: keys and values nest deeper than {}; {}", name,
                                      place.line, place.column, deepest_toml, remedy));
     }

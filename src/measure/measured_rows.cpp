@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "base/find_named.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 
 namespace fumon {
 
@@ -39,10 +39,10 @@ void RowGatherer::take(const Snapshot& snapshot, const std::vector<double>& row)
     }
 }
 
-void RowGatherer::carry(StateCarrier& carrier) {
+void RowGatherer::serialise(StateArchive& archive) {
     for (MeasuredColumn& one : rows_.columns) {
         std::vector<double> values = one.values.copied();
-        carrier.list("plotted " + one.column.name, values);
+        archive.list("plotted " + one.column.name, values);
         one.values = MeasuredValues(values);
     }
 }

@@ -9,7 +9,7 @@
 
 namespace fumon {
 
-class StateCarrier;
+class StateArchive;
 
 /// One column of measurements, up to some step of a run.
 struct MeasuredColumn {
@@ -38,8 +38,8 @@ class RowGatherer {
     void take(const Snapshot& snapshot, const std::vector<double>& row);
     /// The rows so far. A copy stays as it is when more are taken, and shares their values.
     [[nodiscard]] const MeasuredRows& rows() const { return rows_; }
-    /// Carries the rows so far. Throws as StateCarrier.
-    void carry(StateCarrier& carrier);
+    /// Saves or restores the rows so far. Throws as StateArchive.
+    void serialise(StateArchive& archive);
 
   private:
     static constexpr int step_column = -1;

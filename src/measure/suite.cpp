@@ -134,7 +134,7 @@ constexpr std::array suite_groups{
     entry<slip_face_group>(on_beds_and_profiles),
     entry<crest_group>(on_beds),
     entry<dune_group>(on_beds),
-    entry<lone_dune_group>(on_beds),
+    entry<isolated_dune_group>(on_beds),
     entry<crest_direction_group>(on_beds),
     entry<pile_group>(on_piles),
     entry<avalanche_group>(on_piles),
@@ -178,9 +178,9 @@ void MeasureSuite::note(std::span<const Avalanche> avalanches) {
     }
 }
 
-void MeasureSuite::carry(StateCarrier& carrier) {
+void MeasureSuite::serialise(StateArchive& archive) {
     for (const MeasureGroup& group : parts_->groups) {
-        if (group.carry) group.carry(carrier);
+        if (group.serialise) group.serialise(archive);
     }
 }
 

@@ -62,8 +62,8 @@ class MeasureSuite {
     /// One value a column; NaN where a measure has no meaning for this bed.
     [[nodiscard]] std::vector<double> row(const Snapshot& snapshot);
 
-    /// Saves or restores what later rows need. Throws as StateCarrier does.
-    void carry(StateCarrier& carrier);
+    /// Saves or restores what later rows need. Throws as StateArchive does.
+    void serialise(StateArchive& archive);
 
   private:
     class Parts;

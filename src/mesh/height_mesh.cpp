@@ -82,7 +82,7 @@ HeightMesh height_mesh(const Snapshot& snapshot, double exaggeration, std::size_
     part_corners(squares);
 
     HeightMesh mesh;
-    mesh.cells_a_point = grid.cells;
+    mesh.cells_per_point = grid.cells;
     Field<std::uint32_t> numbers(grid.heights.nx(), grid.heights.ny(), none);
     const WorldScale& scale = snapshot.scale;
     const auto point = [&](int x, int y) {

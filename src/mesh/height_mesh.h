@@ -28,7 +28,7 @@ struct Mesh {
 struct HeightMesh {
     Mesh top;
     std::vector<std::array<double, 2>> places;  ///< of each point on the bed, 0 … 1 east and north
-    int cells_a_point = 1;                      ///< along each side
+    int cells_per_point = 1;                    ///< along each side
 };
 
 /// Of at most so many triangles: else each point is the mean of k × k cells, as few as do; one with

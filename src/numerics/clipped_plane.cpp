@@ -101,7 +101,7 @@ double depth_of_mean(double mean, double rise_x, double rise_y) {
     return half - dry;
 }
 
-Place centre_of_mass(double depth, double rise_x, double rise_y) {
+MassCentre centre_of_mass(double depth, double rise_x, double rise_y) {
     const Rises rise(rise_x, rise_y);
     const Centre centre = centre_of(rise, depth);
     const double steep_x = std::fabs(rise_x);

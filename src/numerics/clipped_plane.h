@@ -10,13 +10,13 @@ double mean_depth(double depth, double rise_x, double rise_y);
 /// The depth at the middle, negative where that is dry, of which the mean is `mean` > 0.
 double depth_of_mean(double mean, double rise_x, double rise_y);
 
-struct Place {
+struct MassCentre {
     double x = 0.0;
     double y = 0.0;
 };
 
 /// The water's centre of mass, as seen from the cell's middle; there where the cell is dry.
-Place centre_of_mass(double depth, double rise_x, double rise_y);
+MassCentre centre_of_mass(double depth, double rise_x, double rise_y);
 
 struct FaceMeans {
     double depth = 0.0;   ///< of max(0, d)

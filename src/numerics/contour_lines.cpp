@@ -122,7 +122,7 @@ class Tracer {
     }
 
     /// A square and one of its passages.
-    struct Place {
+    struct PassageReference {
         int x = 0;
         int y = 0;
         int passage = 0;
@@ -130,11 +130,11 @@ class Tracer {
     };
 
     /// What goes on beyond a side; `entering`: the end of a passage that lies on the shared side.
-    [[nodiscard]] Place beyond(int x, int y, int side, std::size_t end) const {
+    [[nodiscard]] PassageReference beyond(int x, int y, int side, std::size_t end) const {
         constexpr std::array<int, 4> dx{0, 1, 0, -1};
         constexpr std::array<int, 4> dy{-1, 0, 1, 0};
         const auto s = static_cast<std::size_t>(side);
-        Place next{x + dx.at(s), y + dy.at(s), 0, false};
+        PassageReference next{x + dx.at(s), y + dy.at(s), 0, false};
         if (next.x < 0 || next.y < 0 || next.x + 1 >= values_.nx() || next.y + 1 >= values_.ny())
             return next;
         const Passages there = passages(next.x, next.y);
@@ -150,11 +150,11 @@ class Tracer {
 
     ContourLine line_through(int x, int y, int passage) {
         // Back to where it begins: at an edge, or where it closes.
-        Place first{x, y, passage, true};
+        PassageReference first{x, y, passage, true};
         for (;;) {
             const int from =
                 passages(first.x, first.y).at(static_cast<std::size_t>(first.passage))[0];
-            const Place before = beyond(first.x, first.y, from, 1);
+            const PassageReference before = beyond(first.x, first.y, from, 1);
             if (!before.found || (before.x == x && before.y == y && before.passage == passage))
                 break;
             first = before;
@@ -164,7 +164,7 @@ class Tracer {
         line.points.push_back(
             point_on(first.x, first.y,
                      passages(first.x, first.y).at(static_cast<std::size_t>(first.passage))[0]));
-        for (Place at = first; at.found;) {
+        for (PassageReference at = first; at.found;) {
             const int to = passages(at.x, at.y).at(static_cast<std::size_t>(at.passage))[1];
             line.points.push_back(point_on(at.x, at.y, to));
             left_(at.x, at.y) = static_cast<std::uint8_t>(left_(at.x, at.y) & ~(1 << at.passage));

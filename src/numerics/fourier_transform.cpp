@@ -56,18 +56,18 @@ class FourierTransform::Convolution {
 
     void transform(Scratch& scratch) const {
         const std::size_t length = cosine_.size();
-        fourier::turn_points(scratch.from, cosine_.data(), sine_.data(), length);
+        fourier::rotate_points(scratch.from, cosine_.data(), sine_.data(), length);
         std::fill_n(&scratch.from[length * rows], (padded_.length_ - length) * rows, 0.0);
         padded_.transform(scratch);
         // The inverse transform is the forward one between two conjugations.
-        fourier::multiply_and_mirror(scratch.from, kernel_real_.data(), kernel_imaginary_.data(),
-                                     padded_.length_);
+        fourier::multiply_conjugate(scratch.from, kernel_real_.data(), kernel_imaginary_.data(),
+                                    padded_.length_);
         padded_.transform(scratch);
         double* z = scratch.from;
         for (std::size_t m = 0; m < length; ++m) {
             for (std::size_t l = half; l < rows; ++l) z[m * rows + l] = -z[m * rows + l];
         }
-        fourier::turn_points(z, cosine_.data(), sine_.data(), length);
+        fourier::rotate_points(z, cosine_.data(), sine_.data(), length);
     }
 
   private:
@@ -155,13 +155,13 @@ void FourierTransform::forward(const double* values, std::size_t stride, double*
     if (in_stages()) {
         double* transformed = behind_stages(scratch);
         run_stages({values, stride}, {transformed, rows}, false, scratch);
-        fourier::part_rows(transformed, length_, spectra);
+        fourier::split_spectra(transformed, length_, spectra);
         return;
     }
     for (std::size_t i = 0; i < length_; ++i)
         std::copy_n(values + i * stride, rows, &scratch.from[i * rows]);
     transform(scratch);
-    fourier::part_rows(scratch.from, length_, spectra);
+    fourier::split_spectra(scratch.from, length_, spectra);
 }
 
 void FourierTransform::backward(const double* real, const double* imaginary,
@@ -169,7 +169,7 @@ void FourierTransform::backward(const double* real, const double* imaginary,
                                 Scratch& scratch) const {
     // The inverse of z is the forward transform of i·conj z, likewise turned back: its parts
     // change places.
-    fourier::join_rows({real, imaginary, spectrum_stride}, length_, scratch.from);
+    fourier::merge_spectra({real, imaginary, spectrum_stride}, length_, scratch.from);
     if (in_stages()) {
         run_stages({scratch.from, rows}, {values, stride}, true, scratch);
         return;

@@ -165,7 +165,7 @@ void butterflies(const Stage& stage, const double* from, double* to) {
     }
 }
 
-void turn_points(double* z, const double* c, const double* s, std::size_t points) {
+void rotate_points(double* z, const double* c, const double* s, std::size_t points) {
     for (std::size_t i = 0; i < points; ++i) {
         const Turn by(c + i, s + i);
         for (std::size_t l = 0; l < half; l += lanes) {
@@ -178,7 +178,7 @@ void turn_points(double* z, const double* c, const double* s, std::size_t points
     }
 }
 
-void multiply_and_mirror(double* z, const double* c, const double* s, std::size_t points) {
+void multiply_conjugate(double* z, const double* c, const double* s, std::size_t points) {
     for (std::size_t i = 0; i < points; ++i) {
         const Turn by(c + i, s + i);
         for (std::size_t l = 0; l < half; l += lanes) {
@@ -191,7 +191,7 @@ void multiply_and_mirror(double* z, const double* c, const double* s, std::size_
     }
 }
 
-void part_rows(const double* z, std::size_t length, const Spectra& to) {
+void split_spectra(const double* z, std::size_t length, const Spectra& to) {
     const V scale = hn::Set(Four(), 0.5);
     for (std::size_t m = 0; m <= length / 2; ++m) {
         for (std::size_t l = 0; l < half; l += lanes) {
@@ -209,7 +209,7 @@ void part_rows(const double* z, std::size_t length, const Spectra& to) {
     }
 }
 
-void join_rows(const KnownSpectra& from, std::size_t length, double* z) {
+void merge_spectra(const ConstSpectra& from, std::size_t length, double* z) {
     for (std::size_t m = 0; m <= length / 2; ++m) {
         for (std::size_t l = 0; l < half; l += lanes) {
             const double* re = from.real + m * from.stride + l;
@@ -236,10 +236,10 @@ namespace fumon::fourier {
 HWY_EXPORT(butterflies_of_four);
 HWY_EXPORT(butterflies_of_five);
 HWY_EXPORT(butterflies);
-HWY_EXPORT(turn_points);
-HWY_EXPORT(multiply_and_mirror);
-HWY_EXPORT(part_rows);
-HWY_EXPORT(join_rows);
+HWY_EXPORT(rotate_points);
+HWY_EXPORT(multiply_conjugate);
+HWY_EXPORT(split_spectra);
+HWY_EXPORT(merge_spectra);
 
 void butterflies_of_four(const Stage& stage, const double* from, double* to) {
     HWY_DYNAMIC_DISPATCH(butterflies_of_four)(stage, from, to);
@@ -253,20 +253,20 @@ void butterflies(const Stage& stage, const double* from, double* to) {
     HWY_DYNAMIC_DISPATCH(butterflies)(stage, from, to);
 }
 
-void turn_points(double* z, const double* c, const double* s, std::size_t points) {
-    HWY_DYNAMIC_DISPATCH(turn_points)(z, c, s, points);
+void rotate_points(double* z, const double* c, const double* s, std::size_t points) {
+    HWY_DYNAMIC_DISPATCH(rotate_points)(z, c, s, points);
 }
 
-void multiply_and_mirror(double* z, const double* c, const double* s, std::size_t points) {
-    HWY_DYNAMIC_DISPATCH(multiply_and_mirror)(z, c, s, points);
+void multiply_conjugate(double* z, const double* c, const double* s, std::size_t points) {
+    HWY_DYNAMIC_DISPATCH(multiply_conjugate)(z, c, s, points);
 }
 
-void part_rows(const double* z, std::size_t length, const Spectra& to) {
-    HWY_DYNAMIC_DISPATCH(part_rows)(z, length, to);
+void split_spectra(const double* z, std::size_t length, const Spectra& to) {
+    HWY_DYNAMIC_DISPATCH(split_spectra)(z, length, to);
 }
 
-void join_rows(const KnownSpectra& from, std::size_t length, double* z) {
-    HWY_DYNAMIC_DISPATCH(join_rows)(from, length, z);
+void merge_spectra(const ConstSpectra& from, std::size_t length, double* z) {
+    HWY_DYNAMIC_DISPATCH(merge_spectra)(from, length, z);
 }
 
 }  // namespace fumon::fourier

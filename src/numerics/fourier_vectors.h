@@ -28,9 +28,9 @@ void butterflies_of_five(const Stage& stage, const double* from, double* to);
 void butterflies(const Stage& stage, const double* from, double* to);
 
 /// z·(c − is) of every point, in place.
-void turn_points(double* z, const double* c, const double* s, std::size_t points);
+void rotate_points(double* z, const double* c, const double* s, std::size_t points);
 /// The conjugate of z·(c + is) of every point, in place.
-void multiply_and_mirror(double* z, const double* c, const double* s, std::size_t points);
+void multiply_conjugate(double* z, const double* c, const double* s, std::size_t points);
 
 /// Spectra of 8 real rows that lie a mode `stride` apart.
 struct Spectra {
@@ -39,15 +39,15 @@ struct Spectra {
     std::size_t stride;
 };
 
-struct KnownSpectra {
+struct ConstSpectra {
     const double* real;
     const double* imaginary;
     std::size_t stride;
 };
 
 /// From the transform z of two real rows that travelled as one complex one: the spectrum of each.
-void part_rows(const double* z, std::size_t length, const Spectra& to);
-/// i times the conjugate of what part_rows takes apart.
-void join_rows(const KnownSpectra& from, std::size_t length, double* z);
+void split_spectra(const double* z, std::size_t length, const Spectra& to);
+/// i times the conjugate of what split_spectra takes apart.
+void merge_spectra(const ConstSpectra& from, std::size_t length, double* z);
 
 }  // namespace fumon::fourier

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "base/worker_pool.h"
 
 namespace fumon {
@@ -63,7 +63,7 @@ void PlaneFilter::apply(Grid& plane, const Response& response) {
     pool_.for_ranges(columns_ / together, [&](int begin, int end) {
         auto scratch = along_y_.scratch();
         for (int block = begin; block < end; ++block) {
-            give_up_if_asked();
+            throw_if_cancelled();
             const int from = block * together;
             const int to = std::min(from + together, nx_);
             for (int y = 0; y < ny_; ++y) {
@@ -79,14 +79,14 @@ void PlaneFilter::apply(Grid& plane, const Response& response) {
     pool_.for_ranges(real_.ny() / together, [&](int begin, int end) {
         Block block(*this);
         for (int number = begin; number < end; ++number) {
-            give_up_if_asked();
+            throw_if_cancelled();
             filter_block(number * together, response, block);
         }
     });
     pool_.for_ranges(columns_ / together, [&](int begin, int end) {
         auto scratch = along_y_.scratch();
         for (int block = begin; block < end; ++block) {
-            give_up_if_asked();
+            throw_if_cancelled();
             const int from = block * together;
             const int to = std::min(from + together, nx_);
             along_y_.backward(&real_(from, 0), &imaginary_(from, 0), stride, &padded_(from, 0),

@@ -11,8 +11,8 @@ namespace fumon {
 /// not depend on the ranges.
 template <class Body>
 void over_plane(WorkerPool& pool, int count, std::size_t numbers, const Body& body) {
-    constexpr std::size_t worth_sharing = 20'000;
-    if (numbers < worth_sharing) {
+    constexpr std::size_t least_shared_numbers = 20'000;
+    if (numbers < least_shared_numbers) {
         body(0, count);
     } else {
         pool.for_ranges(count, body);

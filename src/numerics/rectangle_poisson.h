@@ -20,7 +20,7 @@ class RectanglePoisson {
     [[nodiscard]] std::size_t stride() const { return stride_; }
     [[nodiscard]] std::size_t size() const { return stride_ * static_cast<std::size_t>(nx_); }
     /// How many nodes of a column are read where it differs from 0 below `rows` only.
-    [[nodiscard]] std::size_t nodes_seen(int rows) const {
+    [[nodiscard]] std::size_t nodes_read(int rows) const {
         return static_cast<std::size_t>(chunks(rows)) * FourierTransform::rows;
     }
 

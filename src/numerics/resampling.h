@@ -12,7 +12,7 @@ namespace fumon {
 /// Continues values of a masked domain outward over a few cells by averages of known neighbours, so
 /// that resampling near its rim meets no foreign values; cells farther out get `farther`.
 template <class Number>
-void continue_outward(Field<Number>& z, const Mask& nodata, Number farther) {
+void extrapolate_outward(Field<Number>& z, const Mask& nodata, Number farther) {
     constexpr int rings_filled = 3;  // that the bicubic and slopes may touch
     Mask unknown = nodata;
     for (int ring = 0; ring < rings_filled; ++ring) {

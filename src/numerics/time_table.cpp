@@ -14,8 +14,8 @@ double value_at(std::span<const double> times, std::span<const double> values, d
     return values[k - 1] + share * (values[k] - values[k - 1]);
 }
 
-double mean_of_stairs(std::span<const double> times, std::span<const double> values, double from,
-                      double to) {
+double mean_of_steps(std::span<const double> times, std::span<const double> values, double from,
+                     double to) {
     double sum = 0.0;
     for (std::size_t k = 0; k < times.size(); ++k) {
         const double begin = std::max(from, times[k]);

@@ -10,7 +10,7 @@ double value_at(std::span<const double> times, std::span<const double> values, d
 
 /// The mean from `from` to `to` (> from) of a staircase: each value holds from its time to the
 /// next one, the last for ever; 0 before the first.
-double mean_of_stairs(std::span<const double> times, std::span<const double> values, double from,
-                      double to);
+double mean_of_steps(std::span<const double> times, std::span<const double> values, double from,
+                     double to);
 
 }  // namespace fumon

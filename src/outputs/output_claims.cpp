@@ -122,7 +122,7 @@ void OutputClaims::check(const fs::path& file, bool listed) const {
     if (is_read(temporary)) refuse_to_replace_input(temporary);
     if (force_ || listed) return;
     for (const fs::path& present : {file, temporary}) {
-        if (has_name(present) && !says_that_fumon_made_it(present)) refuse_to_replace(present);
+        if (has_name(present) && !is_made_by_fumon(present)) refuse_to_replace(present);
     }
 }
 

@@ -66,7 +66,7 @@ bool is_figure_file(std::string_view head) {
 
 }  // namespace
 
-bool says_that_fumon_made_it(const std::filesystem::path& file) {
+bool is_made_by_fumon(const std::filesystem::path& file) {
     try {
         const std::string head = start_of_input_file(file, head_bytes);
         if (is_png(head)) return is_own_png(file);

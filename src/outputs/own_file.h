@@ -17,6 +17,6 @@ inline constexpr std::string_view own_caption_maker = " by fumon ";
 /// Whether a file says of itself that fumon made it: by the "Software" among the metadata of a PNG,
 /// JPEG, WebP, MP4, SVG or PDF file, by the marks above, or as JUnit XML of `fumon verify`. What
 /// cannot be read or is something else is not fumon's.
-bool says_that_fumon_made_it(const std::filesystem::path& file);
+bool is_made_by_fumon(const std::filesystem::path& file);
 
 }  // namespace fumon

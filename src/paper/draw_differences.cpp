@@ -35,15 +35,15 @@ DifferenceNames difference_names(const PanelSettings& settings, const std::strin
     const ChartSettings& chart = settings.chart;
     DifferenceNames names{chart.name, chart.minus_name};
     const bool by_step = chart.minus_scene.empty() && chart.minus_set.empty();
-    const auto told = [&](const std::vector<std::string>& set, const std::string& file,
-                          std::int64_t at) {
+    const auto label_of = [&](const std::vector<std::string>& set, const std::string& file,
+                              std::int64_t at) {
         if (by_step) return phrase("step {}", at);
         return set.empty() ? stem_of(file, scene) : fmt::format("{}", fmt::join(set, ", "));
     };
-    if (names.of.empty()) names.of = told(settings.set, settings.scene, step);
+    if (names.of.empty()) names.of = label_of(settings.set, settings.scene, step);
     if (names.minus.empty()) {
         const std::string& file = chart.minus_scene.empty() ? settings.scene : chart.minus_scene;
-        names.minus = told(chart.minus_set, file, minus_step);
+        names.minus = label_of(chart.minus_set, file, minus_step);
     }
     return names;
 }
@@ -132,12 +132,12 @@ std::vector<MadePanel> make_differences(const PanelSubject& subject, PanelTools&
         shown.x_label = settings.x_label;
         shown.y_label = settings.y_label;
         const bool bar = settings.colour_bar && (!shared || k + 1 == pictures.size());
-        shown.colour_bar = bar ? BarPlace::right : BarPlace::none;
+        shown.colour_bar = bar ? BarPosition::right : BarPosition::none;
         shown.scale_bar = settings.scale_bar && k == 0;
         MadePanel one;
         one.remarks.push_back(phrase("{} of {} minus that of {}", what, names.of, names.minus));
         const Values values = values_of(picture);
-        tell_ends(picture.colours, values);
+        mark_range_ends(picture.colours, values);
         if (!chart.share_colours) one.remarks.push_back(range_sentence(picture.colours, values));
         if (values && values->first == 0.0 && values->second == 0.0)
             one.warnings.emplace_back("both are the same everywhere");

@@ -25,7 +25,7 @@ namespace {
 using Values = PanelColours::Values;
 
 /// The columns or rows of a heat map, as a column of its table gives them.
-struct Places {
+struct AxisCategories {
     std::vector<std::string> names;
     std::vector<double> values;        ///< empty where they are words
     std::vector<std::size_t> of_rows;  ///< the place of each row of the table, from 0
@@ -38,9 +38,10 @@ std::string number_text(double value, const char* format = "{:g}") {
 }
 
 /// Words in the order in which they come up, numbers rising; no place for missing ones.
-Places places_of(const TableColumn& column, const TableRows& rows, double offset, double scale) {
+AxisCategories categories_of(const TableColumn& column, const TableRows& rows, double offset,
+                             double scale) {
     constexpr auto nowhere = static_cast<std::size_t>(-1);
-    Places places;
+    AxisCategories places;
     places.of_rows.assign(column.values.size(), nowhere);
     const bool words = std::ranges::any_of(rows, [&](std::size_t row) {
         return !std::isfinite(column.values[row]) && !column.text(row).empty();
@@ -78,8 +79,8 @@ struct Cells {
     Grid counts;  ///< runs
 };
 
-Cells cells_of(const CurvePlan& curve, const Table& table, const TableRows& rows, const Places& x,
-               const Places& y) {
+Cells cells_of(const CurvePlan& curve, const Table& table, const TableRows& rows,
+               const AxisCategories& x, const AxisCategories& y) {
     const TableColumn& z = *table.find(curve.settings.z);
     const std::vector<std::size_t> runs = runs_of_rows(curve, table);
     const int nx = static_cast<int>(x.names.size());
@@ -210,8 +211,8 @@ void add_count_remarks(std::vector<std::string>& remarks, const Cells& cells,
             phrase("{} of {} cells are without a value (crossed)", empty, cells.means.size()));
 }
 
-std::string csv_of(const CurveSettings& settings, const Table& table, const Places& x,
-                   const Places& y, const Cells& cells) {
+std::string csv_of(const CurveSettings& settings, const Table& table, const AxisCategories& x,
+                   const AxisCategories& y, const Cells& cells) {
     const auto heading = [&](const std::string& name, bool with_unit) {
         const std::string& unit = table.find(name)->unit;
         return unit.empty() || !with_unit ? name : fmt::format("{} ({})", name, unit);
@@ -219,7 +220,7 @@ std::string csv_of(const CurveSettings& settings, const Table& table, const Plac
     std::string text =
         csv_line({heading(settings.x, settings.scale_x == 1.0),
                   heading(settings.y, settings.scale_y == 1.0), heading(settings.z, true), "runs"});
-    const auto place = [](const Places& places, std::size_t i) {
+    const auto place = [](const AxisCategories& places, std::size_t i) {
         return places.values.empty() ? places.names[i] : fmt::format("{}", places.values[i]);
     };
     for (std::size_t row = 0; row < y.names.size(); ++row) {
@@ -233,7 +234,7 @@ std::string csv_of(const CurveSettings& settings, const Table& table, const Plac
     return text;
 }
 
-HeatAxis axis_of(const Places& places, const PanelSettings& settings, bool logarithmic,
+HeatAxis axis_of(const AxisCategories& places, const PanelSettings& settings, bool logarithmic,
                  const std::string& label) {
     const bool even = settings.chart.even_cells || places.values.empty();
     if (logarithmic && !places.values.empty() && !(places.values.front() > 0.0))
@@ -260,8 +261,8 @@ MadePanel heat_map_of(const CurvePlan& curve, const PanelSettings& settings,
     const TableColumn& x_column = *table.find(asked.x);
     const TableColumn& y_column = *table.find(asked.y);
     const TableColumn& z_column = *table.find(asked.z);
-    const Places x = places_of(x_column, rows, 0.0, asked.scale_x);
-    const Places y = places_of(y_column, rows, asked.offset_y, asked.scale_y);
+    const AxisCategories x = categories_of(x_column, rows, 0.0, asked.scale_x);
+    const AxisCategories y = categories_of(y_column, rows, asked.offset_y, asked.scale_y);
     constexpr std::size_t most_cells = 100'000;
     if (x.names.size() * y.names.size() > most_cells)
         throw InputError(fmt::format("a heat map has up to {} cells, and these are {} × {}",
@@ -279,11 +280,11 @@ MadePanel heat_map_of(const CurvePlan& curve, const PanelSettings& settings,
     map.values = cells.means;
     map.texts = texts_of(cells, chart.cell_text);
     map.colours = colours_of(settings, tools.plan.scene, cells.means);
-    map.bar = settings.colour_bar ? BarPlace::right : BarPlace::none;
+    map.bar = settings.colour_bar ? BarPosition::right : BarPosition::none;
     MadePanel made;
     if (chart.classes.empty()) {
         map.colours.label = label_or(settings.bar_label, quantity_in_words(asked.z, z_column.unit));
-        tell_ends(map.colours, values);
+        mark_range_ends(map.colours, values);
         if (!chart.share_colours) made.remarks.push_back(range_sentence(map.colours, values));
     } else {
         map.bounds = chart.levels;

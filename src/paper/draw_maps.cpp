@@ -125,7 +125,7 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
             shown.coordinates = scale_of_values(picture, subject.snapshots[k]);
         picture.colours.label = label_or(settings.bar_label, picture.colours.label);
         const bool bar = settings.colour_bar && (!shared || k + 1 == pictures.size());
-        shown.colour_bar = bar ? BarPlace::right : BarPlace::none;
+        shown.colour_bar = bar ? BarPosition::right : BarPosition::none;
         if (k == 0) {
             shown.scale_bar = settings.scale_bar;
             shown.arrow = direction_of(settings.arrow, subject.first);
@@ -137,7 +137,7 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
         shown.contours = ground_contours(settings.contours, subject.snapshots[k]);
         MadePanel one;
         const Values own = shared ? values : values_of(picture);
-        if (tells_ends(settings)) tell_ends(picture.colours, own);
+        if (labels_range_ends(settings)) mark_range_ends(picture.colours, own);
         if (!settings.chart.share_colours)
             one.remarks.push_back(range_sentence(picture.colours, own));
         if (own && (own->second < picture.colours.low || own->first > picture.colours.high)) {

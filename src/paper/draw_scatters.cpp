@@ -135,12 +135,12 @@ std::vector<MadePanel> make_scatters(const PanelSubject& subject, PanelTools& to
     ColourScale colours = chart_colours(settings, tools.plan.scene, all);
     colours.label = label_or(settings.bar_label, quantity_in_words(first->z_name, first->z_unit));
     const PanelColours::Values shown = std::pair{all.front(), all.back()};
-    tell_ends(colours, shown);
+    mark_range_ends(colours, shown);
     if (!settings.chart.share_colours) made[0].remarks.push_back(range_sentence(colours, shown));
     made[0].remarks.push_back(phrase("{} points, one for each row", all.size()));
-    auto content =
-        std::make_unique<ColouredPlotPanel>(std::move(plot), std::move(values), std::move(colours),
-                                            settings.colour_bar ? BarPlace::right : BarPlace::none);
+    auto content = std::make_unique<ColouredPlotPanel>(
+        std::move(plot), std::move(values), std::move(colours),
+        settings.colour_bar ? BarPosition::right : BarPosition::none);
     if (settings.chart.share_colours)
         made[0].shared = {&content->colours(), &content->colour_bar(), shown};
     made[0].content = std::move(content);

@@ -92,8 +92,8 @@ std::vector<MadePanel> make_sections(const PanelSubject& subject, PanelTools& /*
         if (shown == SectionPanel::velocity || shown == SectionPanel::pressure)
             one.remarks.push_back(range_sentence(section_colours(view, snapshot, shown), {}));
         one.data = {{".csv", section_csv(*snapshot.section, shown)}};
-        one.content = make_section_panel(view, snapshot, shown,
-                                         settings.colour_bar ? BarPlace::right : BarPlace::none);
+        one.content = make_section_panel(
+            view, snapshot, shown, settings.colour_bar ? BarPosition::right : BarPosition::none);
         made.push_back(std::move(one));
     }
     return made;

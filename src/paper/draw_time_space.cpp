@@ -58,7 +58,7 @@ std::vector<MadePanel> make_time_space(const PanelSubject& subject, PanelTools& 
         picture.colours.high = balanced ? farthest : shown.second;
     if (!(picture.colours.high > picture.colours.low))
         picture.colours.high = picture.colours.low + 1.0;
-    if (tells_ends(settings)) tell_ends(picture.colours, shown);
+    if (labels_range_ends(settings)) mark_range_ends(picture.colours, shown);
     std::vector<MadePanel> made(1);
     made[0].remarks.push_back(range_sentence(picture.colours, shown));
     made[0].data = {{".csv", time_space_csv(picture)}};
@@ -66,7 +66,7 @@ std::vector<MadePanel> make_time_space(const PanelSubject& subject, PanelTools& 
     picture.y_label = settings.y_label;
     picture.colours.label = label_or(settings.bar_label, picture.colours.label);
     made[0].content = std::make_unique<TimeSpacePanel>(
-        std::move(picture), settings.colour_bar ? BarPlace::right : BarPlace::none);
+        std::move(picture), settings.colour_bar ? BarPosition::right : BarPosition::none);
     return made;
 }
 

@@ -77,7 +77,7 @@ std::optional<ViewColours> colours_of(const View& view, const PanelSubject& subj
     }
     ViewColours colours{pictures.front().colours, {}};
     colours.scale.label = label_or(panel.bar_label, colours.scale.label);
-    if (tells_ends(panel)) tell_ends(colours.scale, values);
+    if (labels_range_ends(panel)) mark_range_ends(colours.scale, values);
     colours.remark = range_sentence(colours.scale, values);
     return colours;
 }
@@ -126,7 +126,7 @@ std::vector<MadePanel> make_views(const PanelSubject& subject, PanelTools& tools
             one.remarks.push_back(colours->remark);
             shown.colours = colours->scale;
             if (settings.colour_bar && made.size() + 1 == subject.snapshots.size())
-                shown.colour_bar = BarPlace::right;
+                shown.colour_bar = BarPosition::right;
         }
         shown.coordinates = settings.coordinates;
         ViewPicture picture = view_picture(view, renderer.render(snapshot), subject.first,

@@ -127,7 +127,7 @@ std::string figure_caption(const FigurePlan& plan,
     std::size_t run = 0;
     for (std::size_t p = 0; p < plan.panels.size(); ++p) {
         const PanelPlan& panel = plan.panels[p];
-        const bool inset = panel.settings.inset != InsetPlace::none;
+        const bool inset = panel.settings.inset != InsetCorner::none;
         const std::size_t panels = panels_of(panel);
         text += '\n';
         text += heading(plan, letter, panels, inset);

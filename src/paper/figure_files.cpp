@@ -45,7 +45,7 @@ bool ends_as_data(std::string_view end) {
 }
 
 /// Whether a file is called as data of one of the figure's panels.
-bool is_called_as_data(std::string_view name, const FigurePlan& plan) {
+bool is_named_as_data(std::string_view name, const FigurePlan& plan) {
     std::size_t panels = 0;
     for (const PanelPlan& panel : plan.panels) panels += panels_of(panel);
     for (std::size_t n = 0; n < panels; ++n) {
@@ -62,7 +62,7 @@ void claim_figure(const FigurePlan& plan, const fs::path& folder, const OutputCl
     const auto file = [&](const std::string& end) { return folder / (plan.name + end); };
     bool made_before = false;
     for (const char* end : {".pdf", ".svg", ".png", ".tif", ".eps"})
-        made_before = made_before || says_that_fumon_made_it(file(end));
+        made_before = made_before || is_made_by_fumon(file(end));
     for (const std::string& format : plan.scene.figure.formats)
         claims.check(file("." + format), false);
     for (const CaptionFile& caption : caption_files)
@@ -71,7 +71,7 @@ void claim_figure(const FigurePlan& plan, const fs::path& folder, const OutputCl
     for (const auto& entry : fs::directory_iterator(folder, fault)) {
         fs::path data = entry.path();
         if (data.extension() == ".part") data.replace_extension();
-        if (is_called_as_data(data.filename().string(), plan)) claims.check(data, made_before);
+        if (is_named_as_data(data.filename().string(), plan)) claims.check(data, made_before);
     }
 }
 
@@ -97,7 +97,7 @@ PageFormat page_format(const fs::path& file) {
 
 DrawnPage draw_figure(const FigurePlan& plan, const FigurePage& made, PageFormat format,
                       const FigureMetadata& metadata) {
-    const Speaking speaking(plan.words);
+    const LanguageScope speaking(plan.words);
     try {
         return draw_page(made.page, format, plan.scene.figure.dots_per_inch, metadata);
     } catch (const InputError& refusal) {
@@ -108,7 +108,7 @@ DrawnPage draw_figure(const FigurePlan& plan, const FigurePage& made, PageFormat
 std::vector<WholeFile> figure_files(const FigurePlan& plan, const FigureSources& sources,
                                     const FigurePage& made, const fs::path& folder,
                                     std::vector<std::string>& notes) {
-    const Speaking speaking(plan.words);
+    const LanguageScope speaking(plan.words);
     const FigureMetadata metadata = figure_metadata(plan, sources);
     std::vector<WholeFile> files;
     for (const std::string& format : plan.scene.figure.formats) {

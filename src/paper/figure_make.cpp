@@ -47,7 +47,7 @@ std::string missing_run(const FigurePlan& plan, const FigureRuns& runs,
     return {};
 }
 
-int tell_interrupted(StatusLine& status, const std::vector<RunRecord>& records) {
+int report_interrupted(StatusLine& status, const std::vector<RunRecord>& records) {
     const auto done = std::count_if(records.begin(), records.end(), [](const RunRecord& record) {
         return record.status == RunStatus::done;
     });

@@ -20,6 +20,6 @@ std::string missing_run(const FigurePlan& plan, const FigureRuns& runs,
                         const std::vector<RunRecord>& records);
 
 /// Reports that an interrupt stopped the work, and returns the exit status.
-int tell_interrupted(StatusLine& status, const std::vector<RunRecord>& records);
+int report_interrupted(StatusLine& status, const std::vector<RunRecord>& records);
 
 }  // namespace fumon

@@ -23,7 +23,7 @@ constexpr double millimetre = 72.0 / 25.4;  // points
 std::size_t pictures_of(const FigurePlan& plan) {
     std::size_t count = 0;
     for (const PanelPlan& panel : plan.panels) {
-        if (panel.settings.inset == InsetPlace::none) count += panels_of(panel);
+        if (panel.settings.inset == InsetCorner::none) count += panels_of(panel);
     }
     return count;
 }
@@ -62,13 +62,13 @@ Page empty_page(const FigurePlan& plan) {
     return page;
 }
 
-Corner corner_of(InsetPlace inset) {
+Corner corner_of(InsetCorner inset) {
     switch (inset) {
-        case InsetPlace::upper_left:
+        case InsetCorner::upper_left:
             return Corner::upper_left;
-        case InsetPlace::lower_left:
+        case InsetCorner::lower_left:
             return Corner::lower_left;
-        case InsetPlace::lower_right:
+        case InsetCorner::lower_right:
             return Corner::lower_right;
         default:
             return Corner::upper_right;
@@ -124,11 +124,11 @@ class Assembly {
     /// Leaves out the numbers of axes that the panel left of one, or below, shows too.
     void share_axes() {
         if (axes_.empty()) return;
-        const std::vector<GridPlace> places = grid_places(made_.page);
+        const std::vector<GridSpan> places = grid_spans(made_.page);
         for (const auto& [number, axes] : axes_) {
-            const GridPlace& place = places[number];
+            const GridSpan& place = places[number];
             for (const auto& [other, others] : axes_) {
-                const GridPlace& near = places[other];
+                const GridSpan& near = places[other];
                 if (near.row == place.row && near.rows == place.rows &&
                     near.last_column() + 1 == place.column && others.y_range == axes.y_range)
                     *axes.y = false;
@@ -162,8 +162,8 @@ class Assembly {
             ColourScale& colours = *one.colours.colours;
             colours.low = low;
             colours.high = high;
-            tell_ends(colours, values);
-            if (&one != &sharing_.back()) *one.colours.bar = BarPlace::none;
+            mark_range_ends(colours, values);
+            if (&one != &sharing_.back()) *one.colours.bar = BarPosition::none;
             std::vector<std::string>& remarks = made_.remarks[one.panel];
             const std::string text = range_sentence(colours, values) + ", one range for all panels";
             if (std::ranges::find(remarks, text) == remarks.end()) remarks.push_back(text);
@@ -172,7 +172,7 @@ class Assembly {
 
     /// "a", or "a-inset" for the data of what stands in it.
     [[nodiscard]] std::string letter_of_next(const PanelPlan& panel) const {
-        const bool inset = panel.settings.inset != InsetPlace::none;
+        const bool inset = panel.settings.inset != InsetCorner::none;
         const std::size_t number = made_.page.panels.size() - (inset ? 1 : 0);
         const std::string letter = panel_letter(number);  // "(a)"
         return letter.substr(1, letter.size() - 2) + (inset ? "-inset" : "");
@@ -201,7 +201,7 @@ class Assembly {
 
     void add(const PanelPlan& panel) {
         const PanelSettings& settings = panel.settings;
-        const bool inset = settings.inset != InsetPlace::none;
+        const bool inset = settings.inset != InsetCorner::none;
         const double share = inset ? settings.inset_size : static_cast<double>(settings.columns);
         const double width = made_.page.width / made_.page.columns * share;
         std::vector<MadePanel> made = make(panel, width);
@@ -229,7 +229,7 @@ class Assembly {
     void place(const PanelPlan& panel, std::unique_ptr<const PanelContent> content,
                std::string title) {
         const PanelSettings& settings = panel.settings;
-        if (settings.inset != InsetPlace::none) {
+        if (settings.inset != InsetCorner::none) {
             made_.page.panels.back().insets.push_back({std::move(content),
                                                        corner_of(settings.inset),
                                                        settings.inset_size, settings.inset_size});
@@ -262,7 +262,7 @@ class Assembly {
 
 FigurePage figure_page(const FigurePlan& plan, const FigureRuns& runs, const RunStore& store,
                        const FigureDrawing& drawing) {
-    const Speaking speaking(plan.words);
+    const LanguageScope speaking(plan.words);
     return Assembly(plan, runs, store, drawing).assemble();
 }
 

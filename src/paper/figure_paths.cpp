@@ -40,7 +40,7 @@ bool are_of_one_tree(const fs::path& file, const fs::path& folder) {
 }
 
 /// A path as seen from a folder; both relative, and perhaps leading upwards.
-std::string seen_from(const fs::path& folder, const std::string& path) {
+std::string path_from(const fs::path& folder, const std::string& path) {
     const fs::path deep("/1/2/3/4/5/6/7/8");
     return (deep / path)
         .lexically_normal()
@@ -74,7 +74,7 @@ std::string FigurePaths::in_text(std::string_view text) const {
 std::string FigurePaths::in_source(const SourceText& source) const {
     const fs::path folder = fs::path(name_of(source.path)).parent_path();
     Names near;
-    for (const auto& [path, name] : names_) near[path] = seen_from(folder, name);
+    for (const auto& [path, name] : names_) near[path] = path_from(folder, name);
     return replaced(source.text, near);
 }
 

@@ -286,7 +286,7 @@ class Planner {
         panel.picture = read_picture(panel, {settings.scene, settings.set, settings.steps}, first);
         if (settings.kind != PanelKind::difference) return;
         const ChartSettings& chart = settings.chart;
-        RunAsked minus{chart.minus_scene, chart.minus_set, settings.steps, "minus_"};
+        RequestedRun minus{chart.minus_scene, chart.minus_set, settings.steps, "minus_"};
         if (minus.scene.empty()) {
             minus.scene = settings.scene;
             minus.set.insert(minus.set.begin(), settings.set.begin(), settings.set.end());
@@ -301,14 +301,14 @@ class Planner {
     }
 
     /// A run whose pictures a panel shows; `prefix` of its keys in the panel.
-    struct RunAsked {
+    struct RequestedRun {
         std::string scene;
         std::vector<std::string> set;
         std::vector<std::int64_t> steps;
         std::string prefix{};
     };
 
-    PicturePlan read_picture(const PanelPlan& panel, const RunAsked& asked, Snapshot& first) {
+    PicturePlan read_picture(const PanelPlan& panel, const RequestedRun& asked, Snapshot& first) {
         const PanelSettings& settings = panel.settings;
         const std::string path = panel.path + "." + asked.prefix;
         Scene scene = parse_scene(scene_text(asked.scene, path + "scene"),
@@ -423,7 +423,7 @@ std::vector<std::size_t> runs_of(const FigurePlan& plan) {
 
 std::size_t panels_of(const PanelPlan& panel) {
     const bool one_each = shown_by(panel.settings.kind) == PanelShows::each_step &&
-                          panel.settings.inset == InsetPlace::none;
+                          panel.settings.inset == InsetCorner::none;
     return one_each ? panel.picture->steps.size() : 1;
 }
 

@@ -18,7 +18,7 @@
 #include "models/air/airflow_parameters.h"
 #include "models/air/grain_flight.h"
 #include "models/registry.h"
-#include "scene/lives_in_metres.h"
+#include "scene/uses_metres.h"
 
 namespace fumon {
 
@@ -38,7 +38,7 @@ Table measurement_columns(const Scene& scene, const Snapshot& first) {
     Table table =
         columns({{"step", ""}, {"time", first.time_unit == "steps" ? "" : first.time_unit}});
     const MeasureSuite suite(measured_landform(first), first,
-                             {scene.output.channel_area, lives_in_metres(scene)});
+                             {scene.output.channel_area, uses_metres(scene)});
     for (const MeasureColumn& column : suite.columns())
         table.columns.push_back({column.name, column.unit});
     return table;

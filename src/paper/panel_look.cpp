@@ -30,19 +30,19 @@ std::optional<Colouring> colouring_of(const std::string& field) {
     return std::nullopt;
 }
 
-RangeTails tails_of(const PanelSettings& panel, double former) {
-    const auto tail = [former](const WordOrReal& end) {
+RangeTails tails_of(const PanelSettings& panel, double previous) {
+    const auto tail = [previous](const WordOrReal& end) {
         if (end.word == "percentile") return RangeTails{}.low;
-        return end.word == "auto" ? 0.0 : former;
+        return end.word == "auto" ? 0.0 : previous;
     };
     return {tail(panel.low), tail(panel.high)};
 }
 
-bool tells_ends(const PanelSettings& panel) {
+bool labels_range_ends(const PanelSettings& panel) {
     return panel.low.word != "auto-0.2" && panel.high.word != "auto-0.2";
 }
 
-void tell_ends(ColourScale& colours, const std::optional<std::pair<double, double>>& values) {
+void mark_range_ends(ColourScale& colours, const std::optional<std::pair<double, double>>& values) {
     constexpr double rounding = 1e-6;  // of the range: values may have been single-precision
     const double near = rounding * (colours.high - colours.low);
     colours.ends_labelled = true;

@@ -19,14 +19,14 @@ std::optional<Colouring> colouring_of(const std::string& field);
 
 /// What share of a panel's values may lie beyond the ends of its colours, where low and high are
 /// words: `former` of a figure that earlier versions made.
-RangeTails tails_of(const PanelSettings& panel, double former = RangeTails{}.low);
+RangeTails tails_of(const PanelSettings& panel, double previous = RangeTails{}.low);
 
 /// Whether a figure of today shows a panel's colours, whose bar tells its ends and what lies beyond
 /// them.
-bool tells_ends(const PanelSettings& panel);
+bool labels_range_ends(const PanelSettings& panel);
 
 /// Notes in a picture's colours what their bar tells of these values.
-void tell_ends(ColourScale& colours, const std::optional<std::pair<double, double>>& values);
+void mark_range_ends(ColourScale& colours, const std::optional<std::pair<double, double>>& values);
 
 /// The ends of a panel's colours for its caption: "Colours run from 0 m to 3 m; …".
 std::string range_sentence(const ColourScale& colours,

@@ -27,7 +27,7 @@ struct FigureData {
 struct PanelColours {
     using Values = std::optional<std::pair<double, double>>;
     ColourScale* colours = nullptr;  ///< null: it has none, or shares none
-    BarPlace* bar = nullptr;
+    BarPosition* bar = nullptr;
     Values values{};  ///< the least and the greatest shown
 };
 

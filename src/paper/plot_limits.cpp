@@ -40,7 +40,7 @@ bool is_within(const Plot& plot, const Extent& extent) {
 }
 
 /// Whether a point of a series lies within the axes, or a piece of its line may.
-bool is_seen(const Plot& plot, const PlotSeries& series) {
+bool is_visible(const Plot& plot, const PlotSeries& series) {
     const bool has_line = series.kind != SeriesKind::points;
     for (std::size_t i = 0; i < series.x.size(); ++i) {
         Extent piece;
@@ -97,7 +97,7 @@ std::vector<std::string> check_limits(const PanelPlan& panel, const Plot& plot,
     for (const PlotSeries& series : plot.series) {
         if (series.kind == SeriesKind::fit || series.kind == SeriesKind::band) continue;
         ++number;
-        if (is_seen(plot, series)) {
+        if (is_visible(plot, series)) {
             anything = true;
             continue;
         }

@@ -44,24 +44,24 @@ PlotAxis y_axis_of(const PanelSettings& panel, const std::string& name, const st
                    panel.y_high);
 }
 
-LegendPlace legend_of(PanelLegend legend) {
+LegendPosition legend_of(PanelLegend legend) {
     switch (legend) {
         case PanelLegend::none:
-            return LegendPlace::none;
+            return LegendPosition::none;
         case PanelLegend::outside:
-            return LegendPlace::right;
+            return LegendPosition::right;
         case PanelLegend::upper_left:
-            return LegendPlace::upper_left;
+            return LegendPosition::upper_left;
         case PanelLegend::upper_right:
-            return LegendPlace::upper_right;
+            return LegendPosition::upper_right;
         case PanelLegend::lower_left:
-            return LegendPlace::lower_left;
+            return LegendPosition::lower_left;
         case PanelLegend::lower_right:
-            return LegendPlace::lower_right;
+            return LegendPosition::lower_right;
         case PanelLegend::automatic:
             break;
     }
-    return LegendPlace::automatic;
+    return LegendPosition::automatic;
 }
 
 std::vector<CurvePoints> points_of(const CurvePlan& curve, const PanelTools& tools) {

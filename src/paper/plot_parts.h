@@ -19,7 +19,7 @@ std::string axis_label(const std::string& given, const std::string& name, const 
 PlotAxis x_axis_of(const PanelSettings& panel, const std::string& name, const std::string& unit);
 PlotAxis y_axis_of(const PanelSettings& panel, const std::string& name, const std::string& unit);
 
-LegendPlace legend_of(PanelLegend legend);
+LegendPosition legend_of(PanelLegend legend);
 
 /// The points of a curve, whose faults are told where the scene asks for it; none of a formula.
 std::vector<CurvePoints> points_of(const CurvePlan& curve, const PanelTools& tools);

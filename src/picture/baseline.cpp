@@ -79,7 +79,7 @@ class Reader {
             cases_[one.name] = std::move(one);
         }
         std::sort(order_.begin(), order_.end());
-        for (const Place& place : order_) baseline_.cases.push_back(cases_.at(place.name));
+        for (const CaseLocation& place : order_) baseline_.cases.push_back(cases_.at(place.name));
         baseline_.head = text_;
         try {
             if (recorded != nullptr && !recorded->empty()) {
@@ -97,11 +97,11 @@ class Reader {
     }
 
   private:
-    struct Place {
+    struct CaseLocation {
         toml::source_index line;
         toml::source_index column;
         std::string name;
-        [[nodiscard]] bool operator<(const Place& other) const {
+        [[nodiscard]] bool operator<(const CaseLocation& other) const {
             return std::tie(line, column) < std::tie(other.line, other.column);
         }
     };
@@ -246,7 +246,7 @@ class Reader {
         for (const auto& [name, value] : recorded)
             first = std::min(first, name.source().begin.line);
         for (const BaselineCase& one : baseline_.cases) {
-            const Place* place = find_named(order_, one.name);
+            const CaseLocation* place = find_named(order_, one.name);
             if (place->line >= first) {
                 throw InputError(
                     fmt::format("{}: cases.{} stands behind what is recorded; move it up",
@@ -283,7 +283,7 @@ class Reader {
     WrongCases wrong_;
     Locate locate_ = [this](const toml::source_region& region) { return locate(region); };
     Baseline baseline_;
-    std::vector<Place> order_;
+    std::vector<CaseLocation> order_;
     std::map<std::string, BaselineCase> cases_;
 };
 

@@ -25,7 +25,7 @@ void check_sizes(const Image& first, const Image& second) {
 }
 
 /// Whether something can be seen through a picture: not where all of it is opaque.
-bool seen_through(const Image& image) {
+bool has_transparency(const Image& image) {
     return std::any_of(image.alpha.begin(), image.alpha.end(),
                        [](std::uint8_t alpha) { return alpha != 255; });
 }
@@ -38,9 +38,9 @@ Image with_ignored_of(Image image, const Image& other, const IgnoredPixels& igno
     return image;
 }
 
-/// A row of pixels laid on a grey, as laid_on() does it.
-void lay_row(const std::uint8_t* levels, const std::uint8_t* alpha, std::size_t width,
-             std::uint8_t grey, std::uint8_t* out) {
+/// A row of pixels laid on a grey, as composited_on() does it.
+void composite_row(const std::uint8_t* levels, const std::uint8_t* alpha, std::size_t width,
+                   std::uint8_t grey, std::uint8_t* out) {
     if (std::all_of(alpha, alpha + width, [](std::uint8_t share) { return share == 255; })) {
         std::memcpy(out, levels, 3 * width);
         return;
@@ -56,8 +56,8 @@ void lay_row(const std::uint8_t* levels, const std::uint8_t* alpha, std::size_t 
     }
 }
 
-/// As laid_on(), by all threads, into a picture that may have been used so before.
-const Image& laid_on(const Image& image, std::uint8_t grey, WorkerPool& pool, Image& whole) {
+/// As composited_on(), by all threads, into a picture that may have been used so before.
+const Image& composited_on(const Image& image, std::uint8_t grey, WorkerPool& pool, Image& whole) {
     if (!image.transparent()) return image;
     if (whole.width != image.width || whole.height != image.height)
         whole = Image(image.width, image.height);
@@ -65,7 +65,7 @@ const Image& laid_on(const Image& image, std::uint8_t grey, WorkerPool& pool, Im
         const auto width = static_cast<std::size_t>(image.width);
         for (int y = begin; y < end; ++y) {
             const std::uint8_t* alpha = image.alpha.data() + static_cast<std::size_t>(y) * width;
-            lay_row(image.row(y), alpha, width, grey, whole.row(y));
+            composite_row(image.row(y), alpha, width, grey, whole.row(y));
         }
     });
     return whole;
@@ -129,13 +129,13 @@ Comparison compare_opaque(const Image& first, const Image& second, const Ignored
 
 Comparison compare_any(const Image& first, const Image& second, const IgnoredPixels& ignored,
                        WorkerPool& pool) {
-    if (!seen_through(first) && !seen_through(second))
+    if (!has_transparency(first) && !has_transparency(second))
         return compare_opaque(first, second, ignored, pool);
     Image whole_first;
     Image whole_second;
     const auto on = [&](std::uint8_t grey) {
-        return compare_opaque(laid_on(first, grey, pool, whole_first),
-                              laid_on(second, grey, pool, whole_second), ignored, pool);
+        return compare_opaque(composited_on(first, grey, pool, whole_first),
+                              composited_on(second, grey, pool, whole_second), ignored, pool);
     };
     const Comparison dark = on(0);
     const Comparison pale = on(255);
@@ -186,11 +186,11 @@ std::string likeness_help() {
 Image difference_picture(const Image& first, const Image& second, const IgnoredPixels& ignored) {
     check_sizes(first, second);
     WorkerPool pool(threads_for(first), "fumon-compare");
-    if (seen_through(first) || seen_through(second)) {
+    if (has_transparency(first) || has_transparency(second)) {
         Image whole_first;
         Image whole_second;
-        return difference_picture(laid_on(first, 255, pool, whole_first),
-                                  laid_on(second, 255, pool, whole_second), ignored);
+        return difference_picture(composited_on(first, 255, pool, whole_first),
+                                  composited_on(second, 255, pool, whole_second), ignored);
     }
     if (ignored.any()) {
         const Image same_there = with_ignored_of(second, first, ignored);

@@ -44,7 +44,7 @@ void add_row(const std::uint8_t* row, std::uint32_t weight, std::vector<std::uin
 /// Boxes may be smaller than pixels. The picture has at least one pixel; what is transparent counts
 /// as laid on white.
 BoxSums box_sums(const Image& image, int columns, int rows) {
-    if (image.transparent()) return box_sums(laid_on(image, 255), columns, rows);
+    if (image.transparent()) return box_sums(composited_on(image, 255), columns, rows);
     BoxSums boxes;
     boxes.area = static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
     boxes.sums.reserve(std::size_t{3} * static_cast<std::size_t>(columns) *

@@ -339,7 +339,7 @@ int Movie::padded_height() const {
 void Movie::add(const Image& image) {
     Parts& parts = *parts_;
     if (image.transparent() != parts.open())
-        return add(parts.open() ? with_alpha(image) : laid_on(image, 255));
+        return add(parts.open() ? with_alpha(image) : composited_on(image, 255));
     if (parts.failed || parts.finished) parts.fail("it is closed already");
     if (image.width != parts.width || image.height != parts.height)
         parts.fail(fmt::format("a frame has {} × {} pixels, the movie {} × {}", image.width,

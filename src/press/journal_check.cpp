@@ -72,7 +72,7 @@ class Check {
 
     void check_letters() {
         const bool insets = std::ranges::any_of(figure_.panels, [](const PanelSettings& panel) {
-            return panel.inset != InsetPlace::none;
+            return panel.inset != InsetCorner::none;
         });
         constexpr double inset_share = 0.85;
         const double small = tick_share * figure_.font_size * (insets ? inset_share : 1.0);

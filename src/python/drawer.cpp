@@ -7,7 +7,7 @@
 
 #include "base/thread_clock.h"
 #include "base/worker_pool.h"
-#include "python/patience.h"
+#include "python/signal_polling.h"
 
 namespace fumon::python {
 
@@ -35,7 +35,7 @@ Drawer::~Drawer() {
 Drawing Drawer::draw(SharedSnapshot snapshot, const MeasuredRows& rows) {
     const auto drawn = std::make_shared<Drawing>();  // the caller may be interrupted before it is
     wait_until_done(Task([snapshot = std::move(snapshot), rows, drawn](const Painter& painter) {
-        FramePainter& pictures = painter(PaintedFrames::pictures);
+        FramePainter& pictures = painter(PaintedContent::pictures);
         drawn->image = pictures.paint(*snapshot, rows);
         drawn->record = pictures.record();
     }));
@@ -45,7 +45,7 @@ Drawing Drawer::draw(SharedSnapshot snapshot, const MeasuredRows& rows) {
 LayersDrawing Drawer::draw_layers(SharedSnapshot snapshot) {
     const auto drawn = std::make_shared<LayersDrawing>();
     wait_until_done(Task([snapshot = std::move(snapshot), drawn](const Painter& painter) {
-        FramePainter& layers = painter(PaintedFrames::layers);
+        FramePainter& layers = painter(PaintedContent::layers);
         drawn->layers = layers.paint_layers(*snapshot);
         drawn->record = layers.record();
     }));
@@ -78,8 +78,8 @@ Drawer::Worker& Drawer::started() {
 void Drawer::work(Worker& worker, const std::stop_token& stop) const {
     name_this_thread("fumon-draw");
     WorkerPool pool(0, "fumon-render");
-    std::map<PaintedFrames, std::unique_ptr<FramePainter>> made;
-    const Painter painter = [&](PaintedFrames frames) -> FramePainter& {
+    std::map<PaintedContent, std::unique_ptr<FramePainter>> made;
+    const Painter painter = [&](PaintedContent frames) -> FramePainter& {
         std::unique_ptr<FramePainter>& one = made[frames];
         if (!one) one = make_frame_painter(scene_, *first_, gl::Backend::automatic, pool, frames);
         return *one;

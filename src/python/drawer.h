@@ -26,7 +26,7 @@ class Drawer {
     Drawer& operator=(const Drawer&) = delete;
 
     /// The caller does not hold the interpreter's lock. Throws as FramePainter does, Error in a
-    /// fork of a process that has drawn, and as look_for_signals().
+    /// fork of a process that has drawn, and as check_signals().
     [[nodiscard]] Drawing draw(SharedSnapshot snapshot, const MeasuredRows& rows);
     /// Its light and layers, without overlays. Throws likewise, KeyError for a flat figure.
     [[nodiscard]] LayersDrawing draw_layers(SharedSnapshot snapshot);
@@ -37,7 +37,7 @@ class Drawer {
 
   private:
     /// The painter of pictures or that of layers, made when it is first asked for.
-    using Painter = std::function<FramePainter&(PaintedFrames)>;
+    using Painter = std::function<FramePainter&(PaintedContent)>;
     using Task = std::packaged_task<void(const Painter&)>;
     struct Worker {
         std::mutex mutex;

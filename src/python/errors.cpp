@@ -1,8 +1,8 @@
 #include <exception>
 #include <utility>
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
 #include "python/module.h"
 
 namespace fumon::python {
@@ -28,7 +28,7 @@ void translate(std::exception_ptr thrown) {
         PyErr_SetString(input_error_class, error.what());
     } catch (const Error& error) {
         PyErr_SetString(error_class, error.what());
-    } catch (const GivenUp&) {
+    } catch (const Cancelled&) {
         PyErr_SetNone(PyExc_KeyboardInterrupt);
     }
 }

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "models/shared/state_hash.h"
-#include "python/patience.h"
+#include "python/signal_polling.h"
 #include "run/still.h"
-#include "scene/lives_in_metres.h"
+#include "scene/uses_metres.h"
 
 namespace fumon::python {
 
@@ -28,7 +28,7 @@ LiveRun::LiveRun(Scene scene, int threads, bool measures)
     if (measures)
         suite_.emplace(
             measured_landform(*first), *first,
-            MeasureChoice{prepared_->scene.output.channel_area, lives_in_metres(prepared_->scene)});
+            MeasureChoice{prepared_->scene.output.channel_area, uses_metres(prepared_->scene)});
     drawer_ = std::make_shared<Drawer>(prepared_->scene, prepared_->initial.inputs, first);
     last_step_ = prepared_->scene.run.steps;
     note_ = prepared_->initial.note;
@@ -42,7 +42,7 @@ void LiveRun::advance(std::int64_t step) {
     process_.check();
     const std::lock_guard lock(mutex_);
     Avalanches avalanches(suite_);
-    SignalsBetweenSteps signals;
+    SignalObserver signals;
     fumon::advance(*prepared_, at_step(step), {&avalanches, &signals});
 }
 

@@ -34,7 +34,7 @@ class LiveRun {
     LiveRun& operator=(const LiveRun&) = delete;
 
     /// Steps to a step; none where that is done. Throws Error in a fork, what the model throws, and
-    /// as look_for_signals(), between two steps.
+    /// as check_signals(), between two steps.
     void advance(std::int64_t step);
 
     /// The present state, measured as rows of measurements.csv are: celerities since the last one.

@@ -17,7 +17,7 @@ void define(pybind11::module_& core) {
     define_scenes(core);
     define_runs(core);
     define_beds(core);
-    define_held_beds(core);
+    define_memory_beds(core);
     define_projections(core);
     define_pictures(core);
     define_movies(core);

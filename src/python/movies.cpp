@@ -37,7 +37,8 @@ class MovieWriter {
         : file_(std::move(file)), format_(format_of(file_)), rate_(rate), quality_(quality) {}
 
     void add(const Image& image) {
-        if (image.transparent() && format_.open_pixels.empty()) return add(laid_on(image, 255));
+        if (image.transparent() && format_.open_pixels.empty())
+            return add(composited_on(image, 255));
         if (format_.name == "gif") {
             counts_.add(image);
             waiting_.push_back(image);

@@ -101,7 +101,7 @@ class DifferencePage {
   public:
     explicit DifferencePage(const std::string& folder) {
         page_.emplace(folder, OutputClaims(false));
-        page_->forget();
+        page_->remove_old();
         file_ = page_->file().string();
     }
 

@@ -14,16 +14,16 @@
 #include <utility>
 #include <vector>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "files/csv_table.h"
 #include "files/input_file.h"
 #include "measure/suite.h"
 #include "python/module.h"
-#include "python/patience.h"
 #include "python/scene_value.h"
+#include "python/signal_polling.h"
 #include "run/prepared_run.h"
 #include "run/terminal/interrupt.h"
-#include "scene/lives_in_metres.h"
+#include "scene/uses_metres.h"
 #include "sweep/sweep_folder.h"
 #include "sweep/sweep_work.h"
 
@@ -72,7 +72,7 @@ void explain_columns(DoneSweep& sweep) {
         const Snapshot first = run.model->snapshot();
         sweep.columns.emplace("time", MeasureColumn{"time", first.time_unit, "time of the model"});
         const MeasureSuite suite(measured_landform(first), first,
-                                 {run.scene.output.channel_area, lives_in_metres(run.scene)});
+                                 {run.scene.output.channel_area, uses_metres(run.scene)});
         for (const MeasureColumn& column : suite.columns())
             sweep.columns.emplace(column.name, column);
     }
@@ -119,16 +119,16 @@ std::optional<DoneSweep> make_sweep(const SweepRequest& request, const std::stri
 
 /// The same on another thread, while Python hears its signals and is told how far it is.
 DoneSweep wait_for_sweep(const SweepRequest& request, const std::string& folder, int threads,
-                         const py::object& tell) {
+                         const py::object& report) {
     Count count;
     const py::gil_scoped_release unlocked;
     std::future<std::optional<DoneSweep>> future =
         std::async(std::launch::async, [&] { return make_sweep(request, folder, threads, count); });
     try {
-        while (future.wait_for(between_looks) != std::future_status::ready) {
-            look_for_signals();
+        while (future.wait_for(signal_poll_interval) != std::future_status::ready) {
+            check_signals();
             const py::gil_scoped_acquire locked;
-            if (!tell.is_none() && count.all > 0) tell(count.done.load(), count.all.load());
+            if (!report.is_none() && count.all > 0) report(count.done.load(), count.all.load());
         }
     } catch (...) {
         request_stop(SIGINT);
@@ -137,7 +137,7 @@ DoneSweep wait_for_sweep(const SweepRequest& request, const std::string& folder,
         throw;
     }
     auto sweep = future.get();
-    if (!sweep) throw GivenUp();
+    if (!sweep) throw Cancelled();
     return std::move(*sweep);
 }
 
@@ -160,9 +160,9 @@ py::dict run_of(const DoneSweep& sweep, std::size_t n) {
 /// {"axes": [how many values each has], "runs": [run_of …], "columns": {name: (unit, help)}}.
 py::dict python_sweep(const SceneValue& scene, const std::vector<std::string>& over,
                       const std::string& seeds, const std::string& folder, int threads,
-                      const py::object& tell) {
+                      const py::object& report) {
     const SweepRequest request{scene.text(), scene.overrides(), over, "", seeds};
-    const DoneSweep sweep = wait_for_sweep(request, folder, threads, tell);
+    const DoneSweep sweep = wait_for_sweep(request, folder, threads, report);
     py::dict result;
     py::list axes;
     for (const SweepAxis& axis : sweep.plan.axes) {

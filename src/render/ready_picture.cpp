@@ -25,7 +25,7 @@ std::shared_ptr<const LitBed> RendererState::lit_bed(const ReadyPicture& picture
         if (plain) lit->in_plain = SurroundingPlain(shown, with).around(shown);
         const Block framed = plain ? plain->ground_of(picture.framed) : picture.framed;
         lit->light = repeated_light(plain ? *lit->in_plain : shown, framed, refinement, origin, sun,
-                                    prevailing_way(shown), with);
+                                    prevailing_direction(shown), with);
         if (view.streamers.strength > 0.0)
             lit->blown = blown_sand(shown, view, picture.framed, sun);
         lit->heights = std::make_shared<const HeightPyramid>(std::move(lit->light.z), framed.tiles,

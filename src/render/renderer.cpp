@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "gl/functions.h"
 #include "render/frame/view_uniforms.h"
 #include "render/frame_passes.h"
@@ -155,7 +155,7 @@ AccumulatedLight Renderer::gather_light(const Tile& tile, const ReadyPicture& pi
                            2.0 / static_cast<double>(state_->view.image.height));
     Camera through = picture.pose.camera;
     for (const LensPoint& point : lens_points(picture.lens_points)) {
-        if (state_->one_picture) give_up_if_asked();
+        if (state_->one_picture) throw_if_cancelled();
         through.lens.point = picture.pose.camera.lens.radius * point.on_disc;
         through.lens.aside = pixel * point.in_pixel;
         draw_tile(*state_, tile, through, &accumulated);

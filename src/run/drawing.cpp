@@ -14,7 +14,7 @@ std::string why_processor_is_not_pinned(const WorkOptions& work) {
     return work.pinned ? gl::pinning_obstacle("llvmpipe") : "";
 }
 
-void tell_drawing(const DrawingRecord& drawing, Progress& progress) {
+void report_drawing(const DrawingRecord& drawing, Progress& progress) {
     const RenderingEnvironment& environment = drawing.environment;
     if (environment.backend.empty()) return;
     progress.verbose(fmt::format("{}: {}{}{}{}", environment.backend, environment.renderer,

@@ -16,6 +16,6 @@ void prepare_drawing(const WorkOptions& work);
 
 /// Reports which renderer draws, which of the user's settings were overridden, and, if pinning was
 /// asked for but is not possible, why.
-void tell_drawing(const DrawingRecord& drawing, Progress& progress);
+void report_drawing(const DrawingRecord& drawing, Progress& progress);
 
 }  // namespace fumon

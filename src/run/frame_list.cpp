@@ -20,7 +20,7 @@ constexpr std::size_t hash_bytes = std::tuple_size_v<Sha256>;
 constexpr std::size_t record_bytes = 2 * number_bytes + 2 * hash_bytes;
 using FrameBytes = std::array<char, record_bytes>;
 
-void put_number(std::uint64_t number, char* bytes) {
+void append_number(std::uint64_t number, char* bytes) {
     for (std::size_t i = 0; i < number_bytes; ++i, number >>= 8U)
         bytes[i] = static_cast<char>(number & 0xFFU);
 }
@@ -41,8 +41,8 @@ Sha256 hash_at(const char* bytes) {
 
 FrameBytes bytes_of_frame(const FrameRecord& frame) {
     FrameBytes bytes{};
-    put_number(static_cast<std::uint64_t>(frame.step), bytes.data());
-    put_number(std::bit_cast<std::uint64_t>(frame.time), bytes.data() + number_bytes);
+    append_number(static_cast<std::uint64_t>(frame.step), bytes.data());
+    append_number(std::bit_cast<std::uint64_t>(frame.time), bytes.data() + number_bytes);
     char* pixels = bytes.data() + 2 * number_bytes;
     std::copy(frame.pixels.begin(), frame.pixels.end(), pixels);
     std::copy(frame.file.begin(), frame.file.end(), pixels + hash_bytes);
@@ -65,15 +65,15 @@ FileBeginning beginning_of(const FrameCount& counted) {
 
 }  // namespace
 
-FrameList::FrameList(const std::optional<std::filesystem::path>& file, const FrameCount& former) {
+FrameList::FrameList(const std::optional<std::filesystem::path>& file, const FrameCount& previous) {
     if (!file) return;
-    if (former.frames == 0) {
+    if (previous.frames == 0) {
         file_.emplace(*file);
         return;
     }
-    file_.emplace(*file, beginning_of(former));
+    file_.emplace(*file, beginning_of(previous));
     FrameListReader frames(*file);
-    while (frames_ < former.frames) count(frames.next());
+    while (frames_ < previous.frames) count(frames.next());
 }
 
 void FrameList::add(const FrameRecord& frame) {
@@ -102,7 +102,7 @@ void FrameList::commit() {
 }
 
 FrameListReader::FrameListReader(const std::filesystem::path& file)
-    : file_(left_name(file)), bytes_(file_, std::ios::binary) {
+    : file_(surviving_file(file)), bytes_(file_, std::ios::binary) {
     if (!bytes_.is_open()) reason_ = errno;
 }
 

@@ -31,11 +31,11 @@ struct FrameCount {
 /// SHA-256 of the pixels and that of the PNG file, numbers little-endian.
 class FrameList {
   public:
-    /// Without a file frames are only counted. Goes on behind the `former` ones in the file of a
+    /// Without a file frames are only counted. Goes on behind the `previous` ones in the file of a
     /// program that was stopped. Throws InputError where they are not there or have changed, Error
     /// where the file cannot be made or written.
     explicit FrameList(const std::optional<std::filesystem::path>& file,
-                       const FrameCount& former = {});
+                       const FrameCount& previous = {});
 
     /// Throws Error on a full disk or any failed write.
     void add(const FrameRecord& frame);

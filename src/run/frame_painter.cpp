@@ -21,24 +21,24 @@ namespace fumon {
 
 namespace {
 
-bool draws_layers(PaintedFrames frames) {
-    return frames == PaintedFrames::layers || frames == PaintedFrames::pictures_and_layers;
+bool draws_layers(PaintedContent frames) {
+    return frames == PaintedContent::layers || frames == PaintedContent::pictures_and_layers;
 }
 
 class BedPainter : public FramePainter {
   public:
     BedPainter(const Scene& scene, const Snapshot& first, gl::Backend backend, WorkerPool& pool,
-               PaintedFrames frames)
+               PaintedContent frames)
         : context_(gl::Context::create(backend)),
           places_(scene.output.exr_layers == ExrLayers::all) {
         RenderLimits limits;
         limits.one_picture =
-            frames == PaintedFrames::one_picture || frames == PaintedFrames::layers;
+            frames == PaintedContent::one_picture || frames == PaintedContent::layers;
         const auto make = [&](PixelFormat kind) {
             return std::make_unique<Renderer>(*context_, scene.view, first, scene.run.steps, pool,
                                               limits, kind);
         };
-        if (frames != PaintedFrames::layers)
+        if (frames != PaintedContent::layers)
             pictures_ = make(scene.view.image.deep_colour ? PixelFormat::display_16
                                                           : PixelFormat::display_8);
         if (draws_layers(frames)) layers_ = make(PixelFormat::radiance);
@@ -150,7 +150,7 @@ class OverlayPainter : public FramePainter {
 
 std::unique_ptr<FramePainter> make_bare_painter(const Scene& scene, const Snapshot& first,
                                                 gl::Backend backend, WorkerPool& pool,
-                                                PaintedFrames frames) {
+                                                PaintedContent frames) {
     check_background(scene.view, first);
     if (draws_layers(frames)) check_layers(scene, first);
     if (first.section && scene.view.look.mode == ViewMode::figure)
@@ -188,11 +188,11 @@ void check_layers(const Scene& scene, const Snapshot& first) {
 
 std::unique_ptr<FramePainter> make_frame_painter(const Scene& scene, const Snapshot& first,
                                                  gl::Backend backend, WorkerPool& pool,
-                                                 PaintedFrames frames) {
+                                                 PaintedContent frames) {
     auto bare = make_bare_painter(scene, first, backend, pool, frames);
-    if (!has_overlays(scene) || frames == PaintedFrames::layers) return bare;
+    if (!has_overlays(scene) || frames == PaintedContent::layers) return bare;
     return std::make_unique<OverlayPainter>(std::move(bare), scene, first,
-                                            frames == PaintedFrames::one_picture);
+                                            frames == PaintedContent::one_picture);
 }
 
 }  // namespace fumon

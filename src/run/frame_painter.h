@@ -48,7 +48,7 @@ class FramePainter {
 };
 
 /// What a painter is asked for.
-enum class PaintedFrames { pictures, one_picture, pictures_and_layers, layers };
+enum class PaintedContent { pictures, one_picture, pictures_and_layers, layers };
 
 /// Throws KeyError where a view has no light that layers could hold, or where they would take more
 /// than 16 GiB.
@@ -59,6 +59,6 @@ void check_layers(const Scene& scene, const Snapshot& first);
 /// OpenGL fails.
 std::unique_ptr<FramePainter> make_frame_painter(const Scene& scene, const Snapshot& first,
                                                  gl::Backend backend, WorkerPool& pool,
-                                                 PaintedFrames frames = PaintedFrames::pictures);
+                                                 PaintedContent frames = PaintedContent::pictures);
 
 }  // namespace fumon

@@ -108,8 +108,8 @@ void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts,
     if (outcome.error) json["error"] = error_text(outcome.error);
     json["steps_done"] = outcome.steps_done;
     json["time"] = outcome.time;
-    if (!outcome.error && !outcome.gave_up) json["state_sha256"] = hex(outcome.state);
-    if (!outcome.doubt.empty()) json["implausible"] = outcome.doubt;
+    if (!outcome.error && !outcome.cancelled) json["state_sha256"] = hex(outcome.state);
+    if (!outcome.plausibility_warning.empty()) json["implausible"] = outcome.plausibility_warning;
     if (!outcome.resumed_at.empty()) json["resumed_at_steps"] = outcome.resumed_at;
     if (outcome.checkpoint && status_of(outcome) != "complete") {
         json["checkpoint"] = {{"step", *outcome.checkpoint},

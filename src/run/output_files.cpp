@@ -121,7 +121,7 @@ BedRecord write_bed(const RunFolder& folder, const Snapshot& snapshot,
     return bed;
 }
 
-void put_on_disk(const RunFolder& folder, const RunParts& parts, const RunOutcome& outcome) {
+void sync_to_disk(const RunFolder& folder, const RunParts& parts, const RunOutcome& outcome) {
     if (parts.frames) {
         for (std::int64_t frame = 0; frame < outcome.frames; ++frame)
             sync_file(folder.frame(frame));

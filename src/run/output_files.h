@@ -65,6 +65,6 @@ BedRecord write_bed(const RunFolder& folder, const Snapshot& snapshot,
 
 /// Puts all that a complete run has written on disk, before its manifest says that it is complete.
 /// Throws Error.
-void put_on_disk(const RunFolder& folder, const RunParts& parts, const RunOutcome& outcome);
+void sync_to_disk(const RunFolder& folder, const RunParts& parts, const RunOutcome& outcome);
 
 }  // namespace fumon

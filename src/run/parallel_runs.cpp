@@ -10,8 +10,8 @@
 #include <optional>
 #include <thread>
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
 #include "base/stopwatch.h"
 #include "base/thread_clock.h"
 #include "run/manifest.h"
@@ -44,16 +44,17 @@ class ParallelRuns {
 
     /// Waits for all of them, telling what happens.
     void wait(StatusLine& status) {
-        constexpr std::chrono::milliseconds between_looks{50};
+        constexpr std::chrono::milliseconds poll_interval{50};
         std::unique_lock lock(mutex_);
         for (;;) {
             const bool ended =
-                changed_.wait_for(lock, between_looks, [this] { return running_ == 0; });
+                changed_.wait_for(lock, poll_interval, [this] { return running_ == 0; });
             for (const std::string& failure : failures_) status.error(failure);
-            for (const std::string& doubt : doubts_) status.note(doubt);
+            for (const std::string& plausibility_warning : plausibility_warnings_)
+                status.note(plausibility_warning);
             for (const std::string& success : successes_) status.verbose(success);
             failures_.clear();
-            doubts_.clear();
+            plausibility_warnings_.clear();
             successes_.clear();
             if (ended) break;
             if (status.due()) {
@@ -74,9 +75,9 @@ class ParallelRuns {
             const Attempt attempt = outcome(*task, threads, record);
             if (attempt == Attempt::interrupted) break;
             if (attempt == Attempt::busy) {
-                put_back(*task);
+                requeue(*task);
             } else {
-                tell(*task, record);
+                report_outcome(*task, record);
             }
         }
         const std::lock_guard lock(mutex_);
@@ -92,9 +93,9 @@ class ParallelRuns {
         return task;
     }
 
-    void put_back(const RunTask& task) {
-        constexpr std::chrono::milliseconds before_next_look{100};
-        std::this_thread::sleep_for(before_next_look);
+    void requeue(const RunTask& task) {
+        constexpr std::chrono::milliseconds busy_retry_delay{100};
+        std::this_thread::sleep_for(busy_retry_delay);
         const std::lock_guard lock(mutex_);
         pending_.push_back(&task);
     }
@@ -105,7 +106,7 @@ class ParallelRuns {
         try {
             attempt = task.body(threads, record, work_done_);
             record.status = RunStatus::done;
-        } catch (const GivenUp&) {
+        } catch (const Cancelled&) {
             attempt = Attempt::interrupted;
         } catch (...) {
             record.status = RunStatus::failed;
@@ -116,13 +117,13 @@ class ParallelRuns {
         return attempt;
     }
 
-    void tell(const RunTask& task, const RunRecord& record) {
+    void report_outcome(const RunTask& task, const RunRecord& record) {
         const std::lock_guard lock(mutex_);
         records_[task.number - 1] = record;
         if (record.status == RunStatus::done) {
             ++done_;
             if (!record.message.empty())
-                doubts_.push_back(fmt::format("{}: {}", task.name, record.message));
+                plausibility_warnings_.push_back(fmt::format("{}: {}", task.name, record.message));
             successes_.push_back(
                 fmt::format("{} is done in {}", task.name, clock_text(record.wall_seconds)));
         } else {
@@ -143,10 +144,10 @@ class ParallelRuns {
     int running_ = 0;
     std::size_t done_ = 0;
     std::size_t failed_ = 0;
-    std::vector<std::string> failures_;   ///< not told yet
-    std::vector<std::string> doubts_;     ///< not told yet
-    std::vector<std::string> successes_;  ///< not told yet
-    std::vector<std::jthread> threads_;   // last: joined before what they use goes
+    std::vector<std::string> failures_;               ///< not told yet
+    std::vector<std::string> plausibility_warnings_;  ///< not told yet
+    std::vector<std::string> successes_;              ///< not told yet
+    std::vector<std::jthread> threads_;               // last: joined before what they use goes
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "base/stopwatch.h"
 #include "base/thread_clock.h"
 #include "base/worker_pool.h"
@@ -30,7 +30,7 @@ namespace fumon {
 
 namespace {
 
-constexpr std::size_t items_in_a_queue = 2;  // enough to overlap, few enough for large pictures
+constexpr std::size_t queue_capacity = 2;  // enough to overlap, few enough for large pictures
 
 /// What is to be drawn: a step, and the measurements up to it that plots show.
 struct Frame {
@@ -55,18 +55,18 @@ class Pipeline {
           pictures_(parts_.frames || movie_),
           last_step_(options.last_step.value_or(scene.run.steps)),
           resolved_(resolved_scene(scene, inputs)),
-          first_(options.former != nullptr ? options.former->first : model.snapshot()),
-          written_(options.former != nullptr ? options.former->checkpoint.beds
-                                             : std::vector<BedRecord>{}) {
-        if (options.former == nullptr) return;
-        const RunCheckpoint& former = options.former->checkpoint;
-        former_frames_ = former.frames;
-        outcome_.steps_before = former.step;
-        outcome_.resumed_at = former.resumed_at;
-        outcome_.resumed_at.push_back(former.step);
-        outcome_.checkpoint = former.step;
-        progress.steps_done = former.step;
-        progress.frames_done = former_frames_.frames;
+          first_(options.previous != nullptr ? options.previous->first : model.snapshot()),
+          written_(options.previous != nullptr ? options.previous->checkpoint.beds
+                                               : std::vector<BedRecord>{}) {
+        if (options.previous == nullptr) return;
+        const RunCheckpoint& previous = options.previous->checkpoint;
+        previous_frames_ = previous.frames;
+        outcome_.steps_before = previous.step;
+        outcome_.resumed_at = previous.resumed_at;
+        outcome_.resumed_at.push_back(previous.step);
+        outcome_.checkpoint = previous.step;
+        progress.steps_done = previous.step;
+        progress.frames_done = previous_frames_.frames;
     }
 
     RunOutcome run(const std::function<void(const DrawingRecord&)>& started) {
@@ -80,7 +80,8 @@ class Pipeline {
             throw;
         }
         if (pictures_ && folder_ != nullptr)
-            stages_.guard([this] { written_.list_frames(folder_->frame_list(), former_frames_); });
+            stages_.guard(
+                [this] { written_.list_frames(folder_->frame_list(), previous_frames_); });
         progress_.expect(last_step_, pictures_ ? frame_schedule(scene_).count() : 0);
         stages_.start("fumon-simulate", [this] { simulate(); });
         if (pictures_) stages_.start("fumon-encode", [this] { write_frames(); });
@@ -90,7 +91,7 @@ class Pipeline {
         stages_.guard([this] { written_.frames().commit(); });
 
         outcome_.error = stages_.error();
-        if (outcome_.steps_done < last_step_ || outcome_.gave_up)
+        if (outcome_.steps_done < last_step_ || outcome_.cancelled)
             outcome_.signal = interrupting_signal();
         outcome_.frames = written_.frames().frames();
         outcome_.beds = written_.beds();
@@ -109,16 +110,17 @@ class Pipeline {
         std::unique_ptr<Recorder> recorder;
         try {
             recorder = make_recorder();
-            if (options_.former != nullptr) recorder->carry(options_.former->measured);
+            if (options_.previous != nullptr) recorder->serialise(options_.previous->measured);
             const bool at_end = advance(*recorder) == 0;
-            if (!at_end && !outcome_.gave_up) check_finite(model_.snapshot());
-            if (!outcome_.gave_up) {
+            if (!at_end && !outcome_.cancelled) check_finite(model_.snapshot());
+            if (!outcome_.cancelled) {
                 outcome_.state = state_hash(model_);
-                outcome_.doubt = model_.doubt();
-                if (!outcome_.doubt.empty()) stages_.tell("implausible: " + outcome_.doubt);
+                outcome_.plausibility_warning = model_.plausibility_warning();
+                if (!outcome_.plausibility_warning.empty())
+                    stages_.report("implausible: " + outcome_.plausibility_warning);
             }
-        } catch (const GivenUp&) {
-            outcome_.gave_up = true;
+        } catch (const Cancelled&) {
+            outcome_.cancelled = true;
         } catch (...) {  // what was made before goes its way: the later stages drain their queues
             stages_.keep(std::current_exception());
         }
@@ -147,24 +149,25 @@ class Pipeline {
                                       if (to_draw_.push({snapshot, recorder.rows()}))
                                           written_.send_frame();
                                   });
-        CountedSteps count(progress_);
-        ToldDoubt doubt([this](const std::string& line) { stages_.tell("implausible: " + line); });
-        std::vector<StepObserver*> observers{&recorder, &beds, &frames, &doubt};
+        StepCounter count(progress_);
+        PlausibilityReporter plausibility_warning(
+            [this](const std::string& line) { stages_.report("implausible: " + line); });
+        std::vector<StepObserver*> observers{&recorder, &beds, &frames, &plausibility_warning};
         std::optional<Checkpointer> checkpoints;
         if (folder_ != nullptr && clock_.on()) {
             checkpoints.emplace(*folder_, parts_, clock_, checkpoint_facts(), written_, recorder,
-                                [this](const std::string& line) { stages_.tell(line); });
+                                [this](const std::string& line) { stages_.report(line); });
             observers.push_back(&*checkpoints);
         }
         observers.push_back(&count);
-        Stepper stepper(model_, observers, options_.former != nullptr);
+        Stepper stepper(model_, observers, options_.previous != nullptr);
         const struct Ended {
             RunOutcome& outcome;
             const Stepper& stepper;
             const std::optional<Checkpointer>& checkpoints;
             ~Ended() {
                 outcome.timing.simulation_wall = stepper.seconds();
-                outcome.gave_up = stepper.gave_up();
+                outcome.cancelled = stepper.cancelled();
                 if (checkpoints && checkpoints->last()) outcome.checkpoint = checkpoints->last();
             }
         } ended{outcome_, stepper, checkpoints};
@@ -180,14 +183,14 @@ class Pipeline {
         std::shared_ptr<const std::string> resolved;  // with colours that are kept
         std::unique_ptr<FramePainter> painter;
         try {
-            if (const auto former = former_look()) {
-                drawn.view.look.low = former->low;
-                drawn.view.look.high = former->high;
+            if (const auto previous = previous_look()) {
+                drawn.view.look.low = previous->low;
+                drawn.view.look.high = previous->high;
                 resolved = std::make_shared<const std::string>(resolved_scene(drawn, inputs_));
             }
             painter = make_frame_painter(
                 drawn, first_, options_.backend, pool,
-                layers ? PaintedFrames::pictures_and_layers : PaintedFrames::pictures);
+                layers ? PaintedContent::pictures_and_layers : PaintedContent::pictures);
             painter->keep_colours();
             outcome_.drawing = painter->record();
             ready.set_value();
@@ -195,7 +198,7 @@ class Pipeline {
             ready.set_exception(std::current_exception());
             return;
         }
-        std::int64_t number = former_frames_.frames;
+        std::int64_t number = previous_frames_.frames;
         while (const auto frame = to_draw_.pop()) {
             const Stopwatch watch;
             Picture picture{
@@ -240,10 +243,10 @@ class Pipeline {
                     static_cast<int>(scene_.view.image.height), output.movie_rate,
                     static_cast<int>(output.movie_quality));
         std::int64_t frames = 0;
-        if (former_frames_.frames > 0) {
-            FrameListReader former(folder_->frame_list());
-            for (; frames < former_frames_.frames; ++frames)
-                movie.add(read_frame(*folder_, parts_, former.next()));
+        if (previous_frames_.frames > 0) {
+            FrameListReader previous(folder_->frame_list());
+            for (; frames < previous_frames_.frames; ++frames)
+                movie.add(read_frame(*folder_, parts_, previous.next()));
         }
         while (const auto picture = to_movie_.pop()) {
             const Stopwatch watch;
@@ -284,9 +287,9 @@ class Pipeline {
         if (folder_ != nullptr) recording.files = folder_->records();
         recording.resolved = resolved_;
         recording.plots = pictures_;
-        std::optional<RecordPositions> former;
-        if (options_.former != nullptr) former = options_.former->checkpoint.records;
-        return std::make_unique<Recorder>(scene_, first_, std::move(recording), former);
+        std::optional<RecordPositions> previous;
+        if (options_.previous != nullptr) previous = options_.previous->checkpoint.records;
+        return std::make_unique<Recorder>(scene_, first_, std::move(recording), previous);
     }
 
     /// What all checkpoints of the run hold.
@@ -301,11 +304,11 @@ class Pipeline {
 
     /// The look of the last frame of a former run, where it has a range of colours that this one
     /// goes on with.
-    [[nodiscard]] std::optional<LookSettings> former_look() const {
+    [[nodiscard]] std::optional<LookSettings> previous_look() const {
         const LookSettings& look = scene_.view.look;
         const bool kept = ranges_by_values(look) && look.range == ColourSpan::run;
-        if (!kept || former_frames_.frames == 0) return std::nullopt;
-        const std::int64_t last = former_frames_.frames - 1;
+        if (!kept || previous_frames_.frames == 0) return std::nullopt;
+        const std::int64_t last = previous_frames_.frames - 1;
         const std::filesystem::path file =
             parts_.frames ? folder_->frame(last) : folder_->movie_frame(last);
         if (!parts_.frames && read_png_texts(file).empty()) return std::nullopt;
@@ -337,14 +340,14 @@ class Pipeline {
     Snapshot first_;
     WrittenOutputs written_;
     RunOutcome outcome_;
-    FrameCount former_frames_;
+    FrameCount previous_frames_;
     double frames_wall_ = 0.0;  // of two threads, added up at the end
     double movie_wall_ = 0.0;
 
-    BoundedQueue<Frame> to_draw_{items_in_a_queue};
-    BoundedQueue<SharedSnapshot> to_beds_{items_in_a_queue};
-    BoundedQueue<Picture> to_frames_{items_in_a_queue};
-    BoundedQueue<Picture> to_movie_{items_in_a_queue};
+    BoundedQueue<Frame> to_draw_{queue_capacity};
+    BoundedQueue<SharedSnapshot> to_beds_{queue_capacity};
+    BoundedQueue<Picture> to_frames_{queue_capacity};
+    BoundedQueue<Picture> to_movie_{queue_capacity};
 
     StageThreads stages_{[this] { stop(); }};  // last: joined before what they use goes
 };

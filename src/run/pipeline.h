@@ -50,28 +50,28 @@ struct RunOutcome {
     MovieRecord movie;
     DrawingRecord drawing;
     Sha256 state{};
-    std::string doubt;  ///< the model's, of its last state
+    std::string plausibility_warning;  ///< the model's, of its last state
     Timing timing;
     std::int64_t steps_before = 0;           ///< done before it was gone on with
     std::vector<std::int64_t> resumed_at;    ///< steps from which it was gone on with
     std::optional<std::int64_t> checkpoint;  ///< the step of the last one that was written
     int signal = 0;                          ///< that stopped the run early, or 0
-    bool gave_up = false;                    ///< it did so within a step: there is no state
+    bool cancelled = false;                  ///< it did so within a step: there is no state
     std::exception_ptr error;                ///< the first, or none
 };
 
 /// A run to resume from its checkpoint.
-struct FormerRun {
+struct PreviousRun {
     const RunCheckpoint& checkpoint;
     const Snapshot& first;   ///< the run's, before its first step
-    StateCarrier& measured;  ///< brings back what the measures remember (Recorder::carry)
+    StateArchive& measured;  ///< brings back what the measures remember (Recorder::serialise)
 };
 
 struct PipelineOptions {
     gl::Backend backend = gl::Backend::automatic;
     int threads = 0;                          ///< of the renderer's own loops; 0: one per processor
     double checkpoint_minutes = 0.0;          ///< between checkpoints, of wall time; 0: none
-    const FormerRun* former = nullptr;        ///< its model has its state already
+    const PreviousRun* previous = nullptr;    ///< its model has its state already
     std::optional<std::int64_t> last_step{};  ///< else the scene's
 };
 

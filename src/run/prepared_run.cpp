@@ -199,9 +199,9 @@ void check_ground(const Scene& scene, const InitialBed& initial) {
     if (fault.empty()) return;
     const bool of_file = bed_kind(scene) == BedKind::file;
     const std::string place = scene.at(of_file ? "bed.file" : "bed.kind");
-    const bool told = !of_file || may_tell_of_bed(scene);
+    const bool may_report = !of_file || may_report_bed(scene);
     throw InputError(place +
-                     (told ? "the bed: " + fault : "the bed has heights that no ground has"));
+                     (may_report ? "the bed: " + fault : "the bed has heights that no ground has"));
 }
 
 /// One line on a palette that colours nothing, or empty. Resolved scenes list all keys.

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "files/avalanche_table.h"
-#include "scene/lives_in_metres.h"
 #include "scene/overlay_keys.h"
+#include "scene/uses_metres.h"
 
 namespace fumon {
 
@@ -21,13 +21,13 @@ std::vector<std::string> gathered_columns(const Scene& scene, const Recording& r
 
 MeasureSuite suite_for(const Scene& scene, const Snapshot& first) {
     return MeasureSuite(measured_landform(first), first,
-                        {scene.output.channel_area, lives_in_metres(scene)});
+                        {scene.output.channel_area, uses_metres(scene)});
 }
 
 }  // namespace
 
 Recorder::Recorder(const Scene& scene, const Snapshot& first, Recording recording,
-                   const std::optional<RecordPositions>& former)
+                   const std::optional<RecordPositions>& previous)
     : suite_(suite_for(scene, first)),
       plotted_(gathered_columns(scene, recording), suite_.columns(), first) {
     const bool writes = recording.files.has_value();
@@ -40,8 +40,8 @@ Recorder::Recorder(const Scene& scene, const Snapshot& first, Recording recordin
         paths_ = std::move(*recording.files);
         text_ = {scene.title, std::move(recording.resolved), scene.seed};
     }
-    if (former) {
-        const RecordPositions& at = *former;
+    if (previous) {
+        const RecordPositions& at = *previous;
         if (at.avalanches.length >= 0) avalanches_.emplace(paths_.avalanches, at.avalanches);
         if (at.measurements.length >= 0)
             measurements_.emplace(paths_.measurements, at.measurements);

@@ -59,7 +59,7 @@ class Recorder : public StepObserver {
     /// `first` is the run's first snapshot. With positions of a former run, goes on with its files.
     /// Throws Error when a file cannot be made, InputError where one cannot be gone on with.
     Recorder(const Scene& scene, const Snapshot& first, Recording recording,
-             const std::optional<RecordPositions>& former = std::nullopt);
+             const std::optional<RecordPositions>& previous = std::nullopt);
 
     /// Whether a step's snapshot is to be recorded.
     [[nodiscard]] bool wants(std::int64_t step) const override;
@@ -76,11 +76,11 @@ class Recorder : public StepObserver {
 
     /// Puts all that was recorded on disk, and tells how far the files have come.
     [[nodiscard]] RecordPositions sync();
-    /// Saves or restores what later rows and plots need from earlier rows. Throws as StateCarrier
+    /// Saves or restores what later rows and plots need from earlier rows. Throws as StateArchive
     /// does.
-    void carry(StateCarrier& carrier) {
-        suite_.carry(carrier);
-        plotted_.carry(carrier);
+    void serialise(StateArchive& archive) {
+        suite_.serialise(archive);
+        plotted_.serialise(archive);
     }
 
     /// Gives every file its final name, even if one fails; then throws the first Error.

@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/snapshots/ground_range.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "files/hash.h"
 #include "picture/environment.h"
 #include "run/drawing.h"
@@ -67,9 +67,9 @@ void check_inputs(const std::vector<InputFile>& now, const RunCheckpoint& checkp
 
 /// What is restored of a model: refuses numbers that no run has computed, before anything goes on
 /// with them.
-class FiniteState : public StateCarrier {
+class FiniteState : public StateArchive {
   public:
-    explicit FiniteState(StateCarrier& stored) : stored_(stored) {}
+    explicit FiniteState(StateArchive& stored) : stored_(stored) {}
 
     void values(std::string_view name, std::span<double> values) override {
         stored_.values(name, values);
@@ -99,7 +99,7 @@ class FiniteState : public StateCarrier {
         }
     }
 
-    StateCarrier& stored_;
+    StateArchive& stored_;
 };
 
 /// Compares what a run left with what its checkpoint counts.
@@ -128,7 +128,7 @@ class LeftOutputs {
 
     void check_frames(bool as_frames) {
         const std::string differs = difference(folder_.frame_list(), checkpoint_.frames);
-        if (checkpoint_.frames.frames > 0) note(left_name(folder_.frame_list()), differs);
+        if (checkpoint_.frames.frames > 0) note(surviving_file(folder_.frame_list()), differs);
         if (checkpoint_.frames.frames == 0 || !differs.empty()) return;
         FrameListReader frames(folder_.frame_list());
         for (std::int64_t number = 0; number < checkpoint_.frames.frames; ++number) {
@@ -149,7 +149,7 @@ class LeftOutputs {
 
   private:
     void check_table(const fs::path& file, const FileBeginning& table) {
-        if (table.length >= 0) note(left_name(file), difference(file, table));
+        if (table.length >= 0) note(surviving_file(file), difference(file, table));
     }
 
     void check_whole(const fs::path& file, const Sha256& hash) {
@@ -196,7 +196,7 @@ ResumedRun resume_run(const RunFolder& folder, const std::string& asked,
     ResumedRun resumed;
     resumed.rest = open_checkpoint(folder.checkpoint());
     RunCheckpoint& checkpoint = resumed.checkpoint;
-    checkpoint.carry(*resumed.rest);
+    checkpoint.serialise(*resumed.rest);
     check_program(checkpoint, file);
     WorkOptions work = options;
     work.pinned = work.pinned || parse_environment(checkpoint.drawing).pinned;
@@ -216,7 +216,7 @@ ResumedRun resume_run(const RunFolder& folder, const std::string& asked,
     resumed.first = run.model->snapshot();
     check_outputs(folder, run.scene, checkpoint, resumed.first);
     FiniteState state(*resumed.rest);
-    run.model->carry(state);
+    run.model->serialise(state);
     if (run.model->steps_done() != checkpoint.step)
         resumed.rest->refuse("its model stands at another step");
     if (const std::string fault = beyond_ground(run.model->snapshot()); !fault.empty())

@@ -14,79 +14,79 @@ namespace fumon {
 
 namespace {
 
-void carry_hash(const std::string& name, Sha256& hash, StateCarrier& carrier) {
+void serialise_hash(const std::string& name, Sha256& hash, StateArchive& archive) {
     std::string bytes(hash.begin(), hash.end());
-    carrier.text(name, bytes);
-    if (bytes.size() != hash.size()) carrier.refuse(fmt::format("its {} is no SHA-256", name));
+    archive.text(name, bytes);
+    if (bytes.size() != hash.size()) archive.refuse(fmt::format("its {} is no SHA-256", name));
     std::copy(bytes.begin(), bytes.end(), hash.begin());
 }
 
-void carry_table(const std::string& name, FileBeginning& table, StateCarrier& carrier) {
-    carrier.value(name + "_bytes", table.length);
-    carry_hash(name + "_sha256", table.hash, carrier);
+void serialise_table(const std::string& name, FileBeginning& table, StateArchive& archive) {
+    archive.value(name + "_bytes", table.length);
+    serialise_hash(name + "_sha256", table.hash, archive);
 }
 
 /// A list whose memory grows only as far as there are entries.
-template <class Entry, class CarryEntry>
-void carry_entries(const std::string& name, std::vector<Entry>& entries, StateCarrier& carrier,
-                   const CarryEntry& carry_entry) {
+template <class Entry, class SerialiseEntry>
+void serialise_entries(const std::string& name, std::vector<Entry>& entries, StateArchive& archive,
+                       const SerialiseEntry& serialise_entry) {
     auto count = static_cast<std::int64_t>(entries.size());
-    carrier.count(name, count);
+    archive.count(name, count);
     entries.resize(std::min(entries.size(), static_cast<std::size_t>(count)));
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         if (i == entries.size()) entries.emplace_back();
-        carry_entry(entries[i]);
+        serialise_entry(entries[i]);
     }
 }
 
-void carry_inputs(std::vector<InputFile>& inputs, StateCarrier& carrier) {
-    carry_entries("inputs", inputs, carrier, [&](InputFile& input) {
-        carrier.text("input_path", input.path);
-        carrier.text("input_sha256", input.hash);
+void serialise_inputs(std::vector<InputFile>& inputs, StateArchive& archive) {
+    serialise_entries("inputs", inputs, archive, [&](InputFile& input) {
+        archive.text("input_path", input.path);
+        archive.text("input_sha256", input.hash);
     });
 }
 
-void carry_beds(std::vector<BedRecord>& beds, StateCarrier& carrier) {
-    carry_entries("beds", beds, carrier, [&](BedRecord& bed) {
-        carrier.count("bed_step", bed.step);
-        carry_entries("bed_files", bed.files, carrier, [&](BedRecord::File& file) {
-            carrier.text("bed_ending", file.ending);
-            carry_hash("bed_sha256", file.hash, carrier);
+void serialise_beds(std::vector<BedRecord>& beds, StateArchive& archive) {
+    serialise_entries("beds", beds, archive, [&](BedRecord& bed) {
+        archive.count("bed_step", bed.step);
+        serialise_entries("bed_files", bed.files, archive, [&](BedRecord::File& file) {
+            archive.text("bed_ending", file.ending);
+            serialise_hash("bed_sha256", file.hash, archive);
         });
     });
 }
 
 }  // namespace
 
-void RunCheckpoint::carry(StateCarrier& carrier) {
-    carrier.text("fumon", version);
-    carrier.text("sources", build.sources);
-    carrier.text("tools", build.tools);
-    carrier.text("scene", scene);
-    carry_inputs(inputs, carrier);
-    carrier.text("drawing", drawing);
-    carrier.count("step", step);
-    carry_table("measurements", records.measurements, carrier);
-    carry_table("avalanches", records.avalanches, carrier);
-    carrier.value("fields_records", records.fields.records);
-    carry_hash("fields_sha256", records.fields.hash, carrier);
-    carrier.count("frames", frames.frames);
-    carry_hash("frames_sha256", frames.hash, carrier);
-    carry_beds(beds, carrier);
-    carrier.list("resumed_at", resumed_at);
+void RunCheckpoint::serialise(StateArchive& archive) {
+    archive.text("fumon", version);
+    archive.text("sources", build.sources);
+    archive.text("tools", build.tools);
+    archive.text("scene", scene);
+    serialise_inputs(inputs, archive);
+    archive.text("drawing", drawing);
+    archive.count("step", step);
+    serialise_table("measurements", records.measurements, archive);
+    serialise_table("avalanches", records.avalanches, archive);
+    archive.value("fields_records", records.fields.records);
+    serialise_hash("fields_sha256", records.fields.hash, archive);
+    archive.count("frames", frames.frames);
+    serialise_hash("frames_sha256", frames.hash, archive);
+    serialise_beds(beds, archive);
+    archive.list("resumed_at", resumed_at);
 }
 
 Checkpointer::Checkpointer(const RunFolder& folder, const RunParts& parts,
                            const CheckpointClock& clock, RunCheckpoint fixed,
                            WrittenOutputs& written, Recorder& recorder,
-                           std::function<void(const std::string&)> tell)
+                           std::function<void(const std::string&)> report)
     : folder_(folder),
       parts_(parts),
       clock_(clock),
       now_(std::move(fixed)),
       written_(written),
       recorder_(recorder),
-      tell_(std::move(tell)),
+      report_(std::move(report)),
       frames_on_disk_(written.frames().frames()),
       beds_on_disk_(written.beds().size()) {}
 
@@ -97,8 +97,8 @@ void Checkpointer::before_step(Model& model, bool interrupted) {
         write(model);
         last_ = model.steps_done();
     } catch (const Error& fault) {
-        tell_(fmt::format("no checkpoint of step {}: {}; the run goes on", model.steps_done(),
-                          fault.what()));
+        report_(fmt::format("no checkpoint of step {}: {}; the run goes on", model.steps_done(),
+                            fault.what()));
     }
 }
 
@@ -108,7 +108,7 @@ void Checkpointer::write(Model& model) {
         CheckpointClock& clock;
         ~Ended() { clock.end(); }
     } ended{clock_};
-    put_on_disk();
+    sync_to_disk();
     now_.version = FUMON_VERSION;
     now_.build = this_build();
     now_.step = model.steps_done();
@@ -116,13 +116,13 @@ void Checkpointer::write(Model& model) {
     now_.beds = written_.beds();
     now_.records = recorder_.sync();
     CheckpointWriter writer(folder_.checkpoint());
-    now_.carry(writer);
-    model.carry(writer);
-    recorder_.carry(writer);
+    now_.serialise(writer);
+    model.serialise(writer);
+    recorder_.serialise(writer);
     writer.commit();
 }
 
-void Checkpointer::put_on_disk() {
+void Checkpointer::sync_to_disk() {
     if (!last_) {  // the folder itself, and what tells it for a run's
         sync_file(folder_.manifest());
         const auto whole = std::filesystem::absolute(folder_.manifest());

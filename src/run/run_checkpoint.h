@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "base/stopwatch.h"
 #include "models/shared/model.h"
 #include "run/build_identity.h"
@@ -21,8 +21,8 @@ namespace fumon {
 
 /// The progress of a run between two steps: all outputs of the steps up to `step` are on disk, and
 /// later ones are ignored. In the file the states of the model and of its measures follow
-/// (Model::carry, Recorder::carry). Random numbers need no entry, since they are functions of seed
-/// and step.
+/// (Model::serialise, Recorder::serialise). Random numbers need no entry, since they are functions
+/// of seed and step.
 struct RunCheckpoint {
     std::string version;            ///< of the fumon that wrote it
     BuildIdentity build;            ///< likewise
@@ -35,8 +35,8 @@ struct RunCheckpoint {
     std::vector<BedRecord> beds;
     std::vector<std::int64_t> resumed_at;  ///< steps from which the run was gone on with
 
-    /// Throws as StateCarrier.
-    void carry(StateCarrier& carrier);
+    /// Throws as StateArchive.
+    void serialise(StateArchive& archive);
 };
 
 /// Decides when the next checkpoint is due: a number of minutes after the last one, but late enough
@@ -63,10 +63,10 @@ class CheckpointClock {
 class Checkpointer : public StepObserver {
   public:
     /// `clock` says when; `fixed` is what a checkpoint holds that stays the same over the run;
-    /// `tell` takes what is to be told of one that cannot be written.
+    /// `report` takes what is to be told of one that cannot be written.
     Checkpointer(const RunFolder& folder, const RunParts& parts, const CheckpointClock& clock,
                  RunCheckpoint fixed, WrittenOutputs& written, Recorder& recorder,
-                 std::function<void(const std::string&)> tell);
+                 std::function<void(const std::string&)> report);
 
     /// Writes a checkpoint once all outputs of the steps so far are written. A disk that is full
     /// for it does not end the run: the former one stays.
@@ -77,7 +77,7 @@ class Checkpointer : public StepObserver {
 
   private:
     void write(Model& model);
-    void put_on_disk();
+    void sync_to_disk();
 
     const RunFolder& folder_;
     RunParts parts_;
@@ -85,7 +85,7 @@ class Checkpointer : public StepObserver {
     RunCheckpoint now_;
     WrittenOutputs& written_;
     Recorder& recorder_;
-    std::function<void(const std::string&)> tell_;
+    std::function<void(const std::string&)> report_;
     std::optional<std::int64_t> last_;
     std::int64_t frames_on_disk_;
     std::size_t beds_on_disk_;

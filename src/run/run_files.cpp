@@ -188,7 +188,7 @@ RunFiles listed_files(const fs::path& manifest) {
     }
 }
 
-std::vector<std::string> files_called_as_a_runs(const fs::path& folder) {
+std::vector<std::string> files_named_as_outputs(const fs::path& folder) {
     std::vector<std::string> names;
     add_names(
         folder, "",

@@ -42,7 +42,7 @@ RunFiles listed_files(const std::filesystem::path& manifest);
 
 /// The files in a folder that are called as a run calls its own, in the order of their names:
 /// numbers have the digits that a run gives them and nothing else.
-std::vector<std::string> files_called_as_a_runs(const std::filesystem::path& folder);
+std::vector<std::string> files_named_as_outputs(const std::filesystem::path& folder);
 
 /// The step of a name like "beds/bed_00000010.asc", whole or partial; −1 of any other.
 std::int64_t step_of_bed(const std::string& name);

@@ -54,7 +54,7 @@ RunParts run_parts(const Scene& scene, double checkpoint_minutes) {
 
 RunFolder::RunFolder(fs::path folder, bool force) : folder_(std::move(folder)), force_(force) {
     check_output_folder(folder_, "the run");
-    refuse_former_run();
+    refuse_previous_run();
 }
 
 void RunFolder::check(RunFiles planned, std::vector<fs::path> inputs) {
@@ -72,17 +72,17 @@ void RunFolder::check(RunFiles planned, std::vector<fs::path> inputs) {
 }
 
 void RunFolder::check_files() const {
-    const RunFiles former = listed_files(manifest());
+    const RunFiles previous = listed_files(manifest());
     OutputClaims claims(force_);
     claims.reads(inputs_);
-    for (const std::string& name : files_called_as_a_runs(folder_)) {
-        const bool listed = former.contains(name);
+    for (const std::string& name : files_named_as_outputs(folder_)) {
+        const bool listed = previous.contains(name);
         if (!listed && !force_) refuse_to_replace(folder_ / name);
         if (listed || planned_.contains(name)) claims.check(folder_ / name, true);
     }
 }
 
-void RunFolder::refuse_former_run() const {
+void RunFolder::refuse_previous_run() const {
     std::error_code fault;
     if (force_ || !fs::exists(manifest(), fault)) return;
     if (listed_files(manifest()).files.empty()) refuse_to_replace(manifest());
@@ -94,16 +94,16 @@ void RunFolder::refuse_former_run() const {
 void RunFolder::create(const RunParts& parts) {
     make_folder(folder_);
     lock_.emplace(folder_);
-    refuse_former_run();  // one that began and ended while this one was being set up
+    refuse_previous_run();  // one that began and ended while this one was being set up
     check_files();
-    remove_former_files();
+    remove_previous_files();
     make_parts(parts);
 }
 
-void RunFolder::remove_former_files() const {
-    const RunFiles former = listed_files(manifest());
-    for (const std::string& name : files_called_as_a_runs(folder_)) {
-        const bool goes = former.contains(name) || planned_.contains(name);
+void RunFolder::remove_previous_files() const {
+    const RunFiles previous = listed_files(manifest());
+    for (const std::string& name : files_named_as_outputs(folder_)) {
+        const bool goes = previous.contains(name) || planned_.contains(name);
         if (goes && name != "run.json") remove_file(name);
     }
     remove_empty_folder(folder_ / movie_frames);
@@ -142,7 +142,7 @@ bool RunFolder::is_complete() const {
     return json.is_object() && json.value("status", nlohmann::ordered_json()) == "complete";
 }
 
-void RunFolder::go_on(const RunParts& parts, const RunCheckpoint& checkpoint) {
+void RunFolder::resume(const RunParts& parts, const RunCheckpoint& checkpoint) {
     const RecordPaths written = records();
     if (checkpoint.records.measurements.length < 0) remove_with_temporary(written.measurements);
     if (checkpoint.records.avalanches.length < 0) remove_with_temporary(written.avalanches);
@@ -154,7 +154,7 @@ void RunFolder::go_on(const RunParts& parts, const RunCheckpoint& checkpoint) {
     before.frames = checkpoint.frames.frames;
     before.movie_frames = checkpoint.frames.frames;
     const RunFiles run = listed_files(manifest());
-    for (const std::string& name : files_called_as_a_runs(folder_)) {
+    for (const std::string& name : files_named_as_outputs(folder_)) {
         if (name.find('/') == std::string::npos || !run.contains(name)) continue;
         const std::int64_t step = step_of_bed(name);
         const bool later = step >= 0 ? step > checkpoint.step : !before.contains(name);
@@ -164,17 +164,17 @@ void RunFolder::go_on(const RunParts& parts, const RunCheckpoint& checkpoint) {
 }
 
 void RunFolder::tidy() const {
-    for (const std::string& name : files_called_as_a_runs(folder_)) {
+    for (const std::string& name : files_named_as_outputs(folder_)) {
         if (name.starts_with(movie_frames)) remove_file(name);
     }
     remove_empty_folder(folder_ / movie_frames);
     remove_fields_pieces(records().fields);
-    forget_frames();
+    remove_frame_list();
     remove_file("checkpoint.fumon.part");
     remove_file("checkpoint.fumon");  // last: while it is there, a complete run is to be tidied
 }
 
-void RunFolder::forget_frames() const {
+void RunFolder::remove_frame_list() const {
     remove_with_temporary(frame_list());
 }
 

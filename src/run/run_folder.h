@@ -56,11 +56,11 @@ class RunFolder {
     /// Whether its run.json says that the run is complete.
     [[nodiscard]] bool is_complete() const;
     /// Deletes what the run wrote after its checkpoint. Throws Error.
-    void go_on(const RunParts& parts, const RunCheckpoint& checkpoint);
+    void resume(const RunParts& parts, const RunCheckpoint& checkpoint);
     /// Deletes what a complete run no longer needs.
     void tidy() const;
     /// Takes away the list of frames, which a run without a checkpoint needs no more.
-    void forget_frames() const;
+    void remove_frame_list() const;
 
     [[nodiscard]] std::filesystem::path manifest() const { return folder_ / "run.json"; }
     [[nodiscard]] std::filesystem::path movie() const { return folder_ / "movie.mp4"; }
@@ -84,9 +84,9 @@ class RunFolder {
     [[nodiscard]] static std::string bed_name(std::int64_t step, std::string_view ending);
 
   private:
-    void refuse_former_run() const;
+    void refuse_previous_run() const;
     void check_files() const;
-    void remove_former_files() const;
+    void remove_previous_files() const;
     void remove_file(const std::string& name) const;
     void make_parts(const RunParts& parts) const;
 

@@ -38,9 +38,9 @@ void keep(Recorder& recorder) {
 bool simulate(PreparedRun& prepared, Recorder& recorder, RunRecord& record,
               std::atomic<double>& cell_steps, StepObserver* beside) {
     SharedCounts counted(prepared.initial.bed.size(), record.steps, cell_steps);
-    ToldDoubt doubt(
+    PlausibilityReporter plausibility_warning(
         [&record](const std::string& line) { record.message = "implausible: " + line; });
-    std::vector<StepObserver*> observers{&recorder, &counted, &doubt};
+    std::vector<StepObserver*> observers{&recorder, &counted, &plausibility_warning};
     if (beside != nullptr) observers.push_back(beside);
     Stepper stepper(*prepared.model, observers);
     try {

@@ -47,17 +47,17 @@ bool StageThreads::aborted() {
     return aborted_;
 }
 
-void StageThreads::tell(const std::string& line) {
+void StageThreads::report(const std::string& line) {
     const std::lock_guard lock(mutex_);
-    if (line != told_) to_tell_.push_back(told_ = line);
+    if (line != last_message_) pending_messages_.push_back(last_message_ = line);
 }
 
 void StageThreads::wait(Progress& progress) {
-    constexpr std::chrono::milliseconds between_looks{50};
+    constexpr std::chrono::milliseconds poll_interval{50};
     std::unique_lock lock(mutex_);
     for (bool done = false; !done;) {
-        done = all_done_.wait_for(lock, between_looks, [this] { return running_ == 0; });
-        const std::vector<std::string> lines = std::exchange(to_tell_, {});
+        done = all_done_.wait_for(lock, poll_interval, [this] { return running_ == 0; });
+        const std::vector<std::string> lines = std::exchange(pending_messages_, {});
         lock.unlock();
         for (const std::string& line : lines) progress.note(line);
         if (!done) progress.show();

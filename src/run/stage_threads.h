@@ -27,7 +27,7 @@ class StageThreads {
     void abort();
     [[nodiscard]] bool aborted();
     /// Has the thread that waits say something lasting, the same thing once in succession.
-    void tell(const std::string& line);
+    void report(const std::string& line);
 
     /// Waits until all stages have ended, showing the progress.
     void wait(Progress& progress);
@@ -38,8 +38,8 @@ class StageThreads {
     std::function<void()> stop_;
     std::mutex mutex_;
     std::condition_variable all_done_;
-    std::vector<std::string> to_tell_;
-    std::string told_;
+    std::vector<std::string> pending_messages_;
+    std::string last_message_;
     int running_ = 0;
     bool aborted_ = false;
     std::exception_ptr error_;

@@ -28,9 +28,9 @@ class ScheduledSnapshots : public StepObserver {
 
 /// Tells a progress how many steps are done and how long they took; another thread shows it. It
 /// comes last of the observers, whose work before a step is no part of that.
-class CountedSteps : public StepObserver {
+class StepCounter : public StepObserver {
   public:
-    explicit CountedSteps(Progress& progress) : progress_(progress) {}
+    explicit StepCounter(Progress& progress) : progress_(progress) {}
     void before_step(Model& /*model*/, bool /*interrupted*/) override { watch_ = {}; }
     void after_step(const Model& model) override {
         progress_.seconds_of_steps += watch_.seconds();
@@ -43,9 +43,9 @@ class CountedSteps : public StepObserver {
 };
 
 /// The same, and shows it.
-class ShownSteps : public StepObserver {
+class ProgressPrinter : public StepObserver {
   public:
-    explicit ShownSteps(Progress& progress) : counted_(progress), progress_(progress) {}
+    explicit ProgressPrinter(Progress& progress) : counted_(progress), progress_(progress) {}
     void before_step(Model& model, bool interrupted) override {
         counted_.before_step(model, interrupted);
     }
@@ -55,26 +55,26 @@ class ShownSteps : public StepObserver {
     }
 
   private:
-    CountedSteps counted_;
+    StepCounter counted_;
     Progress& progress_;
 };
 
-/// Tells the first doubt that a model has of its state.
-class ToldDoubt : public StepObserver {
+/// Reports the first plausibility warning of a model's state.
+class PlausibilityReporter : public StepObserver {
   public:
     using Receiver = std::function<void(const std::string&)>;
-    explicit ToldDoubt(Receiver receiver) : receiver_(std::move(receiver)) {}
+    explicit PlausibilityReporter(Receiver receiver) : receiver_(std::move(receiver)) {}
     void after_step(const Model& model) override {
-        if (told_) return;
-        const std::string doubt = model.doubt();
-        if (doubt.empty()) return;
-        told_ = true;
-        receiver_(doubt);
+        if (reported_) return;
+        const std::string plausibility_warning = model.plausibility_warning();
+        if (plausibility_warning.empty()) return;
+        reported_ = true;
+        receiver_(plausibility_warning);
     }
 
   private:
     Receiver receiver_;
-    bool told_ = false;
+    bool reported_ = false;
 };
 
 }  // namespace fumon

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "base/stopwatch.h"
 #include "models/shared/check_finite.h"
 #include "run/terminal/interrupt.h"
@@ -19,15 +19,15 @@ Stepper::Stepper(Model& model, std::vector<StepObserver*> observers, bool presen
 int Stepper::advance(const RunEnd& end) {
     try {
         return advance_until(end);
-    } catch (const GivenUp&) {
-        gave_up_ = true;
+    } catch (const Cancelled&) {
+        cancelled_ = true;
         return interrupting_signal();
     }
 }
 
 int Stepper::advance_until(const RunEnd& end) {
     for (;;) {
-        show_present();
+        publish_present_state();
         if (end(model_)) break;
         const int signal = interrupting_signal();
         for (StepObserver* observer : observers_) observer->before_step(model_, signal != 0);
@@ -42,7 +42,7 @@ int Stepper::advance_until(const RunEnd& end) {
     return 0;
 }
 
-void Stepper::show_present() {
+void Stepper::publish_present_state() {
     if (std::exchange(present_taken_, true)) return;
     SharedSnapshot snapshot;
     for (StepObserver* observer : observers_) {

@@ -51,26 +51,26 @@ class Stepper {
     Stepper(Model& model, std::vector<StepObserver*> observers, bool present_taken = false);
 
     /// Steps to the end, where the state must be finite. Returns 0, or the signal that stopped it
-    /// before. May be called again to go on unless it gave up. Throws Error for a state that is not
+    /// before. May be called again to go on unless cancelled. Throws Error for a state that is not
     /// finite, and what model and observers throw.
     int advance(const RunEnd& end);
 
-    /// Whether a signal stopped it within a step that had not ended `patience` later
-    /// (base/give_up.h): the model counts that step as not done, but its state is no step's.
-    [[nodiscard]] bool gave_up() const { return gave_up_; }
+    /// Whether a signal stopped it within a step that had not ended `cancellation_grace_s` later
+    /// (base/cancellation.h): the model counts that step as not done, but its state is no step's.
+    [[nodiscard]] bool cancelled() const { return cancelled_; }
 
     /// Seconds inside the model's steps.
     [[nodiscard]] double seconds() const { return seconds_; }
 
   private:
     int advance_until(const RunEnd& end);
-    void show_present();
+    void publish_present_state();
 
     Model& model_;
     std::vector<StepObserver*> observers_;
     bool present_taken_;
     double seconds_ = 0.0;
-    bool gave_up_ = false;
+    bool cancelled_ = false;
 };
 
 }  // namespace fumon

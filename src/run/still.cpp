@@ -27,7 +27,7 @@ namespace fumon {
 namespace {
 
 int advance(PreparedRun& prepared, const RunEnd& end, Progress& progress) {
-    ShownSteps shown(progress);
+    ProgressPrinter shown(progress);
     const int signal = advance(prepared, end, std::vector<StepObserver*>{&shown});
     if (signal == 0) progress.clear();
     return signal;
@@ -72,7 +72,7 @@ Drawing draw_snapshot(const PreparedRun& prepared, const Snapshot& first, const 
                       const WorkOptions& work) {
     WorkerPool pool(work.threads, "fumon-render");
     const auto painter =
-        make_frame_painter(prepared.scene, first, work.backend, pool, PaintedFrames::one_picture);
+        make_frame_painter(prepared.scene, first, work.backend, pool, PaintedContent::one_picture);
     const MeasuredRows rows = prepared.plotted ? prepared.plotted->rows() : MeasuredRows{};
     return {painter->paint(snapshot, rows), painter->record()};
 }
@@ -128,11 +128,11 @@ DrawnStill draw_exr(const PreparedRun& prepared, const Snapshot& first, const Sn
     WorkerPool pool(work.threads, "fumon-render");
     const Scene& scene = prepared.scene;
     const auto painter =
-        make_frame_painter(scene, first, work.backend, pool, PaintedFrames::layers);
+        make_frame_painter(scene, first, work.backend, pool, PaintedContent::layers);
     LayeredImage layers = painter->paint_layers(snapshot);  // record() is of what is drawn by then
     const LayersDrawing drawing{std::move(layers), painter->record()};
     const DrawingRecord& record = drawing.record;
-    tell_drawing(record, progress);
+    report_drawing(record, progress);
     const Sha256 hash = layers_hash(drawing.layers);
     write_bytes(file,
                 exr_file(scene, drawing,
@@ -197,7 +197,7 @@ DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const 
                       const std::string& file, const WorkOptions& work, Progress& progress) {
     if (is_exr_name(file)) return draw_exr(prepared, first, snapshot, file, work, progress);
     const Drawing drawing = draw_snapshot(prepared, first, snapshot, work);
-    tell_drawing(drawing.record, progress);
+    report_drawing(drawing.record, progress);
     const Scene& scene = prepared.scene;
     const Sha256 pixels = pixel_hash(drawing.image);
     const PictureText text =

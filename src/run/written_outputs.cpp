@@ -2,9 +2,9 @@
 
 namespace fumon {
 
-void WrittenOutputs::list_frames(const std::filesystem::path& file, const FrameCount& former) {
-    frames_ = std::make_unique<FrameList>(file, former);
-    frames_sent_ = former.frames;
+void WrittenOutputs::list_frames(const std::filesystem::path& file, const FrameCount& previous) {
+    frames_ = std::make_unique<FrameList>(file, previous);
+    frames_sent_ = previous.frames;
 }
 
 void WrittenOutputs::send_frame() {

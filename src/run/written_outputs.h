@@ -34,7 +34,7 @@ class WrittenOutputs {
 
     /// Before anything is sent: lists the frames in a file, behind those of a former run. Without
     /// it they are only counted. Throws as FrameList.
-    void list_frames(const std::filesystem::path& file, const FrameCount& former);
+    void list_frames(const std::filesystem::path& file, const FrameCount& previous);
 
     void send_frame();
     void send_bed();

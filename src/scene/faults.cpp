@@ -13,13 +13,13 @@ namespace {
 
 /// Where a fault stands: "SOURCE:LINE:COLUMN: …". What stands in no line of the file comes before
 /// its lines, what stands elsewhere after them.
-struct FaultPlace {
+struct SourcePosition {
     long line = std::numeric_limits<long>::max();
     long column = 0;
 };
 
-FaultPlace place_of(const std::string& text, const std::string& source) {
-    FaultPlace place;
+SourcePosition place_of(const std::string& text, const std::string& source) {
+    SourcePosition place;
     if (!text.starts_with(source + ":")) return place;
     place.line = 0;
     const char* const end = text.data() + text.size();
@@ -44,8 +44,8 @@ void Faults::report() const {
     std::vector<std::string> lines = lines_;
     std::stable_sort(lines.begin(), lines.end(),
                      [this](const std::string& one, const std::string& other) {
-                         const FaultPlace a = place_of(one, source_);
-                         const FaultPlace b = place_of(other, source_);
+                         const SourcePosition a = place_of(one, source_);
+                         const SourcePosition b = place_of(other, source_);
                          return std::tie(a.line, a.column) < std::tie(b.line, b.column);
                      });
     if (lines.size() > most) {

@@ -31,7 +31,7 @@ class FigureCheck {
         const std::vector<PanelSettings>& panels = scene_.figure.panels;
         for (std::size_t p = 0; p < panels.size(); ++p) {
             const std::string path = fmt::format("figure.panel.{}", p);
-            if (p == 0 && panels[p].inset != InsetPlace::none)
+            if (p == 0 && panels[p].inset != InsetCorner::none)
                 refuse(path + ".inset",
                        "an inset stands in the panel before it; this is the first");
             check_place(panels[p], path);
@@ -98,7 +98,7 @@ class FigureCheck {
                    fmt::format("a place in the grid has a row and a column; give {}{} too", path,
                                missing));
         }
-        if (panel.inset != InsetPlace::none &&
+        if (panel.inset != InsetCorner::none &&
             (panel.row > 0 || panel.rows > 1 || panel.columns > 1)) {
             refuse(path + ".inset",
                    "an inset has no place in the grid; drop row, column, rows and columns");
@@ -343,7 +343,7 @@ class FigureCheck {
                                 panel.arrow == PanelArrow::flow_and_north;
         if (panel.kind == PanelKind::profile && also_north)
             refuse(path + ".arrow", "a profile has no north; take \"wind\"");
-        if (panel.inset != InsetPlace::none && panel.steps.size() > 1)
+        if (panel.inset != InsetCorner::none && panel.steps.size() > 1)
             refuse(path + ".steps", "an inset shows one step");
         const PanelShows shows = shown_by(panel.kind);
         if (shows == PanelShows::each_step && panel.row > 0 && panel.steps.size() > 1)

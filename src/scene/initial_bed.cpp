@@ -11,15 +11,15 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "files/hash.h"
-#include "files/terrain/doubtful_heights.h"
 #include "files/terrain/grid_hash.h"
 #include "files/terrain/reproject.h"
+#include "files/terrain/suspect_heights.h"
 #include "files/terrain/terraces/terraces.h"
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
 #include "numerics/resampling.h"
-#include "scene/beds/held_bed.h"
 #include "scene/beds/made_beds.h"
+#include "scene/beds/memory_bed.h"
 #include "scene/beds/nodata_height.h"
 #include "scene/trust.h"
 
@@ -47,7 +47,7 @@ bool holds_for_file(const Scene& scene, const char* key) {
 
 /// What messages call the bed.
 std::string bed_title(const Scene& scene) {
-    return is_held_bed(scene.bed.file) ? held_bed_title : scene.bed.file;
+    return is_memory_bed(scene.bed.file) ? memory_bed_title : scene.bed.file;
 }
 
 void check_size(const Scene& scene, const char* key, std::int64_t wanted, int found) {
@@ -126,7 +126,7 @@ std::string guessed_cells(const Scene& scene, const Terrain& terrain, const Worl
     return fmt::format(
         "{} does not say how large its cells are: they are taken for {:g} m (grid.cell_size "
         "says otherwise)",
-        is_held_bed(scene.bed.file) ? held_bed_title : "the file", scale.dx);
+        is_memory_bed(scene.bed.file) ? memory_bed_title : "the file", scale.dx);
 }
 
 void apply_nodata_rule(const Scene& scene, Terrain& terrain) {
@@ -155,7 +155,7 @@ void refine(const Scene& scene, Terrain& terrain) {
             "{}bed.refine is {}: {} x {} cells would become {}; at most {}", scene.at("bed.refine"),
             refinement, terrain.heights.nx(), terrain.heights.ny(), cells, largest_grid_cells));
     }
-    if (!terrain.nodata.empty()) continue_outward(terrain.heights, terrain.nodata, 0.0);
+    if (!terrain.nodata.empty()) extrapolate_outward(terrain.heights, terrain.nodata, 0.0);
     terrain.heights = refined(terrain.heights, refinement);
     terrain.nodata = refined(terrain.nodata, refinement);
     if (terrain.place) {
@@ -175,7 +175,7 @@ TerrainQuery query_of(const Scene& scene) {
                        .height_sign = bed.height_sign};
     if (bed.window.size() == 4)
         query.window = {bed.window[0], bed.window[1], bed.window[2], bed.window[3]};
-    query.trusted = may_tell_of_bed(scene);
+    query.trusted = may_report_bed(scene);
     return query;
 }
 
@@ -234,19 +234,19 @@ Terrain read_bed_file(const Scene& scene, const std::filesystem::path& file) {
     try {
         return read_terrain(file, query_of(scene));
     } catch (const InputError&) {
-        if (may_tell_of_bed(scene)) throw;
+        if (may_report_bed(scene)) throw;
         throw no_bed_in(scene, file);
     }
 }
 
-/// As heights_in_doubt(); of a file that others named a refusal tells nothing of what is in it.
-std::string doubts_of(const Scene& scene, const Terrain& terrain,
-                      const std::filesystem::path& file) {
+/// As suspect_heights(); of a file that others named a refusal tells nothing of what is in it.
+std::string terrain_warning(const Scene& scene, const Terrain& terrain,
+                            const std::filesystem::path& file) {
     try {
-        return heights_in_doubt(terrain,
-                                is_held_bed(scene.bed.file) ? held_bed_title : file.string());
+        return suspect_heights(terrain,
+                               is_memory_bed(scene.bed.file) ? memory_bed_title : file.string());
     } catch (const InputError&) {
-        if (may_tell_of_bed(scene)) throw;
+        if (may_report_bed(scene)) throw;
         throw no_bed_in(scene, file);
     }
 }
@@ -283,7 +283,7 @@ std::string smooth_terraces(const Scene& scene, Terrain& terrain) {
 }
 
 /// What a program has handed over. Keys that say how a file is read mean nothing for it.
-Terrain held_terrain(const Scene& scene) {
+Terrain memory_terrain(const Scene& scene) {
     const BedSettings& bed = scene.bed;
     const std::array<std::pair<const char*, bool>, 8> given{
         {{"bed.window", !bed.window.empty()},
@@ -301,7 +301,7 @@ Terrain held_terrain(const Scene& scene) {
             scene.at(key), key));
     }
     try {
-        return find_held_bed(scene.bed.file)->terrain();
+        return find_memory_bed(scene.bed.file)->terrain();
     } catch (const InputError& fault) {
         throw InputError(scene.at("bed.file") + fault.what());
     }
@@ -312,7 +312,7 @@ Terrain terrain_of_file(const Scene& scene, const std::filesystem::path& file) {
     check_listed(scene, file);
     check_trust(scene, "bed.file", file);
     std::error_code fault;
-    if (!std::filesystem::exists(file, fault) && !may_tell_of_bed(scene))
+    if (!std::filesystem::exists(file, fault) && !may_report_bed(scene))
         throw no_bed_in(scene, file);
     if (!std::filesystem::exists(file, fault) && !scene.locations.contains("bed.file")) {
         throw InputError(fmt::format("{}: is not there; check the path", file.string()));
@@ -328,13 +328,13 @@ Terrain terrain_of_file(const Scene& scene, const std::filesystem::path& file) {
 
 InitialBed bed_from_file(const Scene& scene) {
     const std::filesystem::path file = bed_path(scene);
-    const bool held = is_held_bed(scene.bed.file);
-    Terrain terrain = held ? held_terrain(scene) : terrain_of_file(scene, file);
+    const bool held = is_memory_bed(scene.bed.file);
+    Terrain terrain = held ? memory_terrain(scene) : terrain_of_file(scene, file);
     take_out_nodata_value(scene, terrain);
-    const std::string doubt = doubts_of(scene, terrain, file);
+    const std::string warning = terrain_warning(scene, terrain, file);
     const std::string terraces = smooth_terraces(scene, terrain);
     reproject(scene, terrain);
-    for (const std::string& remark : {doubt, terraces}) {
+    for (const std::string& remark : {warning, terraces}) {
         if (!remark.empty()) add_note(terrain, remark);
     }
     InitialBed initial;
@@ -358,7 +358,7 @@ InitialBed bed_from_file(const Scene& scene) {
     }
     initial.nodata = std::move(terrain.nodata);
     initial.inputs.push_back(
-        held ? InputFile{scene.bed.file, find_held_bed(scene.bed.file)->hash()}
+        held ? InputFile{scene.bed.file, find_memory_bed(scene.bed.file)->hash()}
              : InputFile{file.lexically_normal().string(), hex(grid_hash(file))});
     initial.note = note;
     return initial;
@@ -367,7 +367,7 @@ InitialBed bed_from_file(const Scene& scene) {
 }  // namespace
 
 std::filesystem::path bed_path(const Scene& scene) {
-    return named_from_here(scene) || is_held_bed(scene.bed.file)
+    return named_from_here(scene) || is_memory_bed(scene.bed.file)
                ? std::filesystem::path(scene.bed.file)
                : scene.directory / scene.bed.file;
 }

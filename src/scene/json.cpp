@@ -48,8 +48,8 @@ bool names_input(const std::string& path) {
     return path == "bed.file" || (path.starts_with("map.") && path.ends_with(".file"));
 }
 
-std::string difference_below(const Json& former, const Json& now, const std::string& prefix) {
-    for (const auto& [name, value] : former.items()) {
+std::string difference_below(const Json& previous, const Json& now, const std::string& prefix) {
+    for (const auto& [name, value] : previous.items()) {
         const std::string path = prefix + name;
         if (!now.contains(name)) return fmt::format("its scene has {}, now it has none", path);
         if (value.is_object()) {
@@ -68,7 +68,7 @@ std::string difference_below(const Json& former, const Json& now, const std::str
         }
     }
     for (const auto& [name, value] : now.items()) {
-        if (!former.contains(name))
+        if (!previous.contains(name))
             return fmt::format("its scene has no {}{}, now it has one", prefix, name);
     }
     return {};
@@ -97,8 +97,8 @@ Json scene_json(const Scene& scene, std::span<const KeyRole> roles) {
     return json;
 }
 
-std::string scene_difference(const Json& former, const Json& now) {
-    return difference_below(former, now, "");
+std::string scene_difference(const Json& previous, const Json& now) {
+    return difference_below(previous, now, "");
 }
 
 }  // namespace fumon

@@ -21,7 +21,7 @@ std::string json_text(const nlohmann::ordered_json& json, int indent = -1);
 
 /// The first key at which two such scenes differ, in words ("its scene has run.steps = 100, now
 /// 200"); empty where they agree. bed.file is passed over: what a file holds counts, not its path.
-std::string scene_difference(const nlohmann::ordered_json& former,
+std::string scene_difference(const nlohmann::ordered_json& previous,
                              const nlohmann::ordered_json& now);
 
 }  // namespace fumon

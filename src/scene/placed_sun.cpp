@@ -20,7 +20,7 @@ constexpr double nearly_there = 0.05;  // degrees: sun.azimuth and sun.elevation
                                        // resolved scenes, maybe of another version
 constexpr double look_every = 1.0 / 60.0;  // hours
 
-SkyPlace place_after(const SunSettings& sun, double hours) {
+SkyPosition place_after(const SunSettings& sun, double hours) {
     return sun_position(sun.place[0], sun.place[1], days_from_2000(sun.time) + hours / 24.0);
 }
 
@@ -97,7 +97,7 @@ bool check_place_and_time(const Scene& scene, const SunFaults& refuse) {
 /// What also says where the light comes from.
 void check_contradictions(const Scene& scene, const SunFaults& refuse) {
     const SunSettings& sun = scene.view.sun;
-    const SkyPlace there = place_after(sun, 0.0);
+    const SkyPosition there = place_after(sun, 0.0);
     const bool placed_later =
         scene.set_on_command_line("sun.place") || scene.set_on_command_line("sun.time");
     const auto check_alone = [&](const char* key, double off) {
@@ -128,7 +128,7 @@ bool is_placed(const SunSettings& sun) {
 SunSettings sun_at(const SunSettings& sun, double share) {
     SunSettings moved = sun;
     if (!is_placed(sun)) return moved;
-    const SkyPlace there = place_after(sun, sun.hours * share);
+    const SkyPosition there = place_after(sun, sun.hours * share);
     moved.azimuth = there.azimuth;
     moved.elevation = there.elevation;
     return moved;

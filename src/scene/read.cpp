@@ -249,7 +249,7 @@ class Reader {
     void read_value(const Key& key, const toml::node& value, const std::string& place) {
         if (value.is_table()) {
             throw InputError(fmt::format("{}: {} is no section; it takes {}", place, key.path,
-                                         what_it_takes(key)));
+                                         accepted_values(key)));
         }
         if (is_earlier_version(version_, key.notes.earlier.until) &&
             value.value<std::string_view>() == "auto")

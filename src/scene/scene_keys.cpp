@@ -5,7 +5,7 @@
 #include "keys/keys.h"
 #include "models/registry.h"
 #include "scene/figure/figure_keys.h"
-#include "scene/lives_in_metres.h"
+#include "scene/uses_metres.h"
 #include "scene/view/view_keys.h"
 
 namespace fumon {
@@ -61,7 +61,7 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                        {.unit = "m",
                         .range = {smallest_height_unit, largest_height_unit},
                         .help = "metres per model height"});
-    const char* height = lives_in_metres(scene) ? "m" : "model heights";
+    const char* height = uses_metres(scene) ? "m" : "model heights";
     table.choice("bed.kind", scene.bed.kind,
                  {{BedKind::automatic, "auto",
                    "the terrain file if bed.file names one, else flat for the sandpile and noise "
@@ -77,7 +77,7 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                 .help = "height of a flat bed, or of a heap's top"});
     table.real("bed.heap_radius", scene.bed.heap_radius,
                {.unit = "m, or sites",
-                .range = {0, largest_place},
+                .range = {0, largest_coordinate},
                 .help = "of a heap's foot, in metres where cells have a size; its height falls as "
                         "the squared cosine"});
     table.real("bed.low", scene.bed.low,
@@ -122,7 +122,7 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                   {HeightSign::down, "down", "depths, which are heights below 0"}},
                  {.help = "whether a terrain file's numbers are heights or depths"});
     table.real_list("bed.window", scene.bed.window, 0, 4,
-                    {.range = {-largest_place, largest_place},
+                    {.range = {-largest_coordinate, largest_coordinate},
                      .help = "[west, south, east, north]: the part of a terrain file to read, in "
                              "the file's coordinates, or in cells from its south-west corner where "
                              "it has none; empty: all"});

@@ -107,7 +107,7 @@ void check_trust(const Scene& scene, const std::string& key, const std::filesyst
         listed ? fmt::format(": fumon again --trust {}", scene.source) : std::string()));
 }
 
-bool may_tell_of_bed(const Scene& scene) {
+bool may_report_bed(const Scene& scene) {
     return scene.trusted || scene.set_on_command_line("bed.file");
 }
 

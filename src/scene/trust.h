@@ -35,6 +35,6 @@ void check_limits(const Scene& scene, std::int64_t cells, std::int64_t steps);
 void check_trust(const Scene& scene, const std::string& key, const std::filesystem::path& file);
 
 /// Whether messages may tell what is in a scene's terrain file: not where others named it.
-bool may_tell_of_bed(const Scene& scene);
+bool may_report_bed(const Scene& scene);
 
 }  // namespace fumon

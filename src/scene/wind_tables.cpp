@@ -89,10 +89,10 @@ class WindList {
     }
     /// Makes `count` of one wind.
     void repeat(std::size_t number, std::size_t count) {
-        const std::size_t former = size();
-        table_.find_list("wind")->resize(former + count - 1);
+        const std::size_t previous = size();
+        table_.find_list("wind")->resize(previous + count - 1);
         table_ = scene_keys(scene_);
-        for (std::size_t n = former; n-- > number;) copy(n, n + count - 1);
+        for (std::size_t n = previous; n-- > number;) copy(n, n + count - 1);
         for (std::size_t k = 1; k + 1 < count; ++k) copy(number + count - 1, number + k);
         if (count > 1) copy(number + count - 1, number);
     }

@@ -41,7 +41,7 @@ std::vector<std::size_t> runs_of_shard(const SweepPlan& plan, const SweepFolder&
     return numbers;
 }
 
-void take_runs(const SweepPlan& plan, const SweepFolder& folder, const fs::path& from) {
+void import_runs(const SweepPlan& plan, const SweepFolder& folder, const fs::path& from) {
     std::error_code fault;
     if (fs::equivalent(from, folder.table().parent_path(), fault)) return;
     const fs::path manifest = from / "sweep.json";
@@ -52,23 +52,23 @@ void take_runs(const SweepPlan& plan, const SweepFolder& folder, const fs::path&
                         from.string()));
     }
     const FolderLock lock(from);
-    const FormerSweep former = former_sweep(read_input_file(manifest), plan);
-    if (!former.differs.empty())
-        throw InputError(fmt::format("--from {}: {}", from.string(), former.differs));
+    const PreviousSweep previous = previous_sweep(read_input_file(manifest), plan);
+    if (!previous.differs.empty())
+        throw InputError(fmt::format("--from {}: {}", from.string(), previous.differs));
     std::vector<std::size_t> number_of(plan.runs.size());
     for (std::size_t number = 1; number <= folder.order().size(); ++number)
         number_of[folder.order()[number - 1]] = number;
-    for (std::size_t there = 1; there <= former.order.size(); ++there) {
-        const SweepRun& run = plan.runs[former.order[there - 1]];
+    for (std::size_t there = 1; there <= previous.order.size(); ++there) {
+        const SweepRun& run = plan.runs[previous.order[there - 1]];
         const fs::path text = from / "runs" / fmt::format("{:04}.json", there);
         if (!fs::exists(text, fault)) continue;
         const RunStatus status = parse_run_record(read_input_file(text), run.id).status;
-        const std::size_t number = number_of[former.order[there - 1]];
+        const std::size_t number = number_of[previous.order[there - 1]];
         const RunStatus here = folder.read_record(number).status;
         const bool is_news = status == RunStatus::done
                                  ? here != RunStatus::done
                                  : status == RunStatus::failed && here == RunStatus::pending;
-        if (is_news) folder.take_run(number, from, there);
+        if (is_news) folder.import_run(number, from, there);
     }
 }
 

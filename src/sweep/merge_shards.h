@@ -18,7 +18,8 @@ std::vector<std::size_t> runs_of_shard(const SweepPlan& plan, const SweepFolder&
 /// Takes the runs that another folder of the same sweep has, and the folder not: what is done
 /// before what has failed. Throws InputError where that folder holds no such sweep, or a program is
 /// at work there.
-void take_runs(const SweepPlan& plan, const SweepFolder& folder, const std::filesystem::path& from);
+void import_runs(const SweepPlan& plan, const SweepFolder& folder,
+                 const std::filesystem::path& from);
 
 /// The largest number of shards that the sweep.json of some folders list; 0 where none does.
 int shards_in(const std::vector<std::filesystem::path>& folders);

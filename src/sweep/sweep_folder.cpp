@@ -108,10 +108,10 @@ void SweepFolder::open(bool force, int shards, bool alone, std::chrono::seconds 
     if (there && alone) lock_.emplace(folder_, wait);
     if (there && force) refuse_while_runs_are_made();
     if (there && !force) number_runs();
-    const std::vector<fs::path> former = former_files(force);
+    const std::vector<fs::path> previous = previous_files(force);
     make_folder(folder_ / "runs");
     if (!there) lock_.emplace(folder_);
-    if (force) remove_files(former);
+    if (force) remove_files(previous);
     if (order_.empty()) {
         for (std::size_t k = 0; k < plan_.runs.size(); ++k) order_.push_back(k);
     }
@@ -133,12 +133,12 @@ void SweepFolder::refuse_while_runs_are_made() const {
 /// Runs that the folder's sweep knows keep their numbers; others follow in the plan's order.
 void SweepFolder::number_runs() {
     if (!fs::exists(manifest())) return;
-    FormerSweep former = former_sweep(read_input_file(manifest()), plan_);
-    if (!former.differs.empty()) {
+    PreviousSweep previous = previous_sweep(read_input_file(manifest()), plan_);
+    if (!previous.differs.empty()) {
         throw InputError(fmt::format("{} {}; name another folder, or --force replaces it",
-                                     folder_.string(), former.differs));
+                                     folder_.string(), previous.differs));
     }
-    order_ = std::move(former.order);
+    order_ = std::move(previous.order);
     std::vector<bool> numbered(plan_.runs.size(), false);
     for (const std::size_t k : order_) numbered[k] = true;
     for (std::size_t k = 0; k < numbered.size(); ++k) {
@@ -154,7 +154,7 @@ std::int64_t SweepFolder::listed() const {
     }
 }
 
-std::vector<fs::path> SweepFolder::former_files(bool force) const {
+std::vector<fs::path> SweepFolder::previous_files(bool force) const {
     const std::int64_t listed = this->listed();
     const auto planned = static_cast<std::int64_t>(plan_.runs.size());
     OutputClaims claims(force);
@@ -218,8 +218,8 @@ RunRecord SweepFolder::read_record(std::size_t number) const {
     return record;
 }
 
-void SweepFolder::take_run(std::size_t number, const fs::path& from,
-                           std::size_t number_there) const {
+void SweepFolder::import_run(std::size_t number, const fs::path& from,
+                             std::size_t number_there) const {
     for (const char* end : run_file_ends) {
         if (end == lock_end) continue;
         const fs::path there = from / "runs" / fmt::format("{:04}{}", number_there, end);

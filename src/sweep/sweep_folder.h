@@ -56,8 +56,8 @@ class SweepFolder {
     [[nodiscard]] std::filesystem::path run_lock(std::size_t number) const;
     /// Copies the files of a run from another folder of the sweep, where it has another number; its
     /// record last. Throws Error.
-    void take_run(std::size_t number, const std::filesystem::path& from,
-                  std::size_t number_there) const;
+    void import_run(std::size_t number, const std::filesystem::path& from,
+                    std::size_t number_there) const;
     /// Writes sweep.json as one program alone would have left it. Throws Error.
     void end_sharing() const;
 
@@ -82,7 +82,7 @@ class SweepFolder {
     /// How many runs the sweep in the folder has; −1 where there is none of fumon's.
     [[nodiscard]] std::int64_t listed() const;
     /// The files that a new sweep replaces, checked by the rule of OutputClaims.
-    [[nodiscard]] std::vector<std::filesystem::path> former_files(bool force) const;
+    [[nodiscard]] std::vector<std::filesystem::path> previous_files(bool force) const;
     void remove_files(const std::vector<std::filesystem::path>& files) const;
     void write_manifest(int shards) const;
 

@@ -36,8 +36,8 @@ std::string axis_keys(const Json& axes) {
     return names.empty() ? "no key" : fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string input_difference(const Json& former, const SweepPlan& plan) {
-    for (const Json& input : former) {
+std::string input_difference(const Json& previous, const SweepPlan& plan) {
+    for (const Json& input : previous) {
         const auto path = input.at("path").get<std::string>();
         const auto hash = input.at("sha256").get<std::string>();
         const auto same = [&](const InputFile& known) { return known.hash == hash; };
@@ -49,13 +49,14 @@ std::string input_difference(const Json& former, const SweepPlan& plan) {
     return {};
 }
 
-std::string value_difference(const Json& former, const Json& now) {
-    for (std::size_t axis = 0; axis < former.size(); ++axis) {
+std::string value_difference(const Json& previous, const Json& now) {
+    for (std::size_t axis = 0; axis < previous.size(); ++axis) {
         const Json& values = now.at(axis).at("values");
-        for (const Json& value : former.at(axis).at("values")) {
+        for (const Json& value : previous.at(axis).at("values")) {
             if (std::find(values.begin(), values.end(), value) != values.end()) continue;
             return fmt::format("it has {}={}, which is no longer among the values",
-                               axis_keys(Json::array({former.at(axis)})), value.get<std::string>());
+                               axis_keys(Json::array({previous.at(axis)})),
+                               value.get<std::string>());
         }
     }
     return {};
@@ -74,12 +75,12 @@ std::string difference(const Json& manifest, const SweepPlan& plan) {
     if (version != FUMON_VERSION)
         return fmt::format("it was made by fumon {}, this is {}", version, FUMON_VERSION);
     const Json axes = axes_json(plan);
-    const Json& former = manifest.at("over");
-    if (axis_keys(former) != axis_keys(axes))
-        return fmt::format("it varies {}, now {}", axis_keys(former), axis_keys(axes));
+    const Json& previous = manifest.at("over");
+    if (axis_keys(previous) != axis_keys(axes))
+        return fmt::format("it varies {}, now {}", axis_keys(previous), axis_keys(axes));
     std::string found = scene_difference(manifest.at("scene"), plan.base);
     if (found.empty()) found = input_difference(manifest.at("inputs"), plan);
-    if (found.empty()) found = value_difference(former, axes);
+    if (found.empty()) found = value_difference(previous, axes);
     const auto first = whole_number(manifest.at("seeds").at("first"));
     const auto last = whole_number(manifest.at("seeds").at("last"));
     if (found.empty() && (first < plan.seeds.first || last > plan.seeds.last)) {
@@ -126,23 +127,23 @@ int listed_shards(std::string_view manifest) {
     }
 }
 
-FormerSweep former_sweep(std::string_view manifest, const SweepPlan& plan) {
+PreviousSweep previous_sweep(std::string_view manifest, const SweepPlan& plan) {
     std::map<std::string, std::size_t> planned;
     for (std::size_t k = 0; k < plan.runs.size(); ++k) planned[hex(plan.runs[k].id)] = k;
-    FormerSweep former;
+    PreviousSweep previous;
     try {
         const Json json = parse_json(manifest);
         for (const std::string& id : run_ids(json)) {
             const auto found = planned.find(id);
             if (found == planned.end() || json.at("fumon") != FUMON_VERSION)
                 return {{}, "holds another sweep: " + difference(json, plan)};
-            former.order.push_back(found->second);
+            previous.order.push_back(found->second);
             planned.erase(found);
         }
     } catch (const nlohmann::json::exception&) {
         return {{}, "holds a sweep whose sweep.json is damaged"};
     }
-    return former;
+    return previous;
 }
 
 std::string run_record_text(const Sha256& id, const RunRecord& record) {

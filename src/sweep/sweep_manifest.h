@@ -24,7 +24,7 @@ std::int64_t listed_runs(std::string_view manifest);
 int listed_shards(std::string_view manifest);
 
 /// What a former sweep in a plan's folder means for its runs.
-struct FormerSweep {
+struct PreviousSweep {
     std::vector<std::size_t> order;  ///< the plan's runs that it has, in the order of their numbers
     /// Why the sweep is no part of the plan, as "holds another sweep: its scene has run.steps = 20,
     /// now 40" or "holds a sweep whose sweep.json is damaged"; empty where it is one.
@@ -32,7 +32,7 @@ struct FormerSweep {
 };
 
 /// Reads the text of that sweep's sweep.json.
-FormerSweep former_sweep(std::string_view manifest, const SweepPlan& plan);
+PreviousSweep previous_sweep(std::string_view manifest, const SweepPlan& plan);
 
 /// The text of the record of a run that is done or has failed, and back; what is none of this run,
 /// or is damaged, gives a pending one.

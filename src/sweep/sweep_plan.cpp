@@ -71,7 +71,7 @@ Scene scene_of(const SweepPlan& plan, std::size_t combination) {
 }
 
 /// Takes a key such as model.flux or wind.0.duration out.
-void leave_out(nlohmann::ordered_json& of, const std::string& key) {
+void erase_key(nlohmann::ordered_json& of, const std::string& key) {
     const std::size_t dot = key.find('.');
     if (dot == std::string::npos) {
         if (of.is_object()) of.erase(key);
@@ -80,16 +80,16 @@ void leave_out(nlohmann::ordered_json& of, const std::string& key) {
     const std::string first = key.substr(0, dot);
     if (of.is_array()) {
         const std::size_t item = std::stoul(first);
-        if (item < of.size()) leave_out(of[item], key.substr(dot + 1));
+        if (item < of.size()) erase_key(of[item], key.substr(dot + 1));
     } else if (of.contains(first)) {
-        leave_out(of[first], key.substr(dot + 1));
+        erase_key(of[first], key.substr(dot + 1));
     }
 }
 
 nlohmann::ordered_json base_of(const SweepPlan& plan, const Scene& scene) {
     nlohmann::ordered_json base = scene_json(scene, recorded_roles);
     base.erase("seed");
-    for (const std::string& key : varied_keys(plan)) leave_out(base, key);
+    for (const std::string& key : varied_keys(plan)) erase_key(base, key);
     return base;
 }
 
@@ -122,8 +122,8 @@ void check_outputs(SweepPlan& plan, const Scene& scene) {
     }
 }
 
-[[noreturn]] void refuse_twins(const SweepPlan& plan, const SweepRun& first,
-                               const SweepRun& second) {
+[[noreturn]] void refuse_duplicates(const SweepPlan& plan, const SweepRun& first,
+                                    const SweepRun& second) {
     const auto left = choice_of(plan, first.combination);
     const auto right = choice_of(plan, second.combination);
     const auto differing = static_cast<std::size_t>(
@@ -181,7 +181,7 @@ void add_combination(SweepPlan& plan, const SweepRequest& request, std::size_t c
         scene.seed = seed;
         const SweepRun run{combination, seed, run_id(scene, initial), work};
         const auto [twin, is_new] = known.emplace(run.id, run);
-        if (!is_new) refuse_twins(plan, twin->second, run);
+        if (!is_new) refuse_duplicates(plan, twin->second, run);
         plan.runs.push_back(run);
         if (seed == plan.seeds.last) return;
     }

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
 #include "base/stopwatch.h"
 #include "files/file_lock.h"
 #include "models/shared/state_hash.h"
@@ -62,7 +62,7 @@ Attempt try_run(const SweepPlan& plan, const SweepFolder& folder, std::size_t nu
     }
     try {
         return do_run(plan, folder, number, run, threads, record, cell_steps);
-    } catch (const GivenUp&) {
+    } catch (const Cancelled&) {
         throw;
     } catch (...) {
         keep_failure(folder, number, record, watch.seconds());

@@ -104,7 +104,7 @@ HWY_INLINE void exp_tails(const V (&r)[n], V (&tail)[n]) {
 
 /// x − k ln 2.
 template <class V>
-HWY_INLINE V without_twos(V x, V k) {
+HWY_INLINE V reduced_by_ln2(V x, V k) {
     using namespace elementary::detail;
     return hn::Sub(hn::Sub(x, hn::Mul(k, constant<V>(ln2_high))), hn::Mul(k, constant<V>(ln2_low)));
 }
@@ -130,7 +130,7 @@ HWY_INLINE void exp_of_usual(V (&x)[n]) {
     V tail[n];
     for (std::size_t i = 0; i < n; ++i) {
         shifted[i] = hn::Add(hn::Mul(x[i], constant<V>(log2_e)), magic);
-        x[i] = without_twos(x[i], hn::Sub(shifted[i], magic));
+        x[i] = reduced_by_ln2(x[i], hn::Sub(shifted[i], magic));
     }
     exp_tails(x, tail);
     for (std::size_t i = 0; i < n; ++i) {
@@ -149,7 +149,7 @@ HWY_INLINE void exp_of_any(V (&x)[n]) {
     for (std::size_t i = 0; i < n; ++i) {
         const V clamped = greater(constant<V>(-746.0), lesser(constant<V>(710.0), x[i]));
         k[i] = hn::Sub(hn::Add(hn::Mul(clamped, constant<V>(log2_e)), magic), magic);
-        x[i] = without_twos(clamped, k[i]);
+        x[i] = reduced_by_ln2(clamped, k[i]);
     }
     exp_tails(x, tail);
     for (std::size_t i = 0; i < n; ++i) {
@@ -187,7 +187,7 @@ HWY_INLINE void expm1_positive(V (&x)[n]) {
     V tail[n];
     for (std::size_t i = 0; i < n; ++i) {
         shifted[i] = hn::Add(hn::Mul(x[i], constant<V>(log2_e)), magic);
-        x[i] = without_twos(x[i], hn::Sub(shifted[i], magic));
+        x[i] = reduced_by_ln2(x[i], hn::Sub(shifted[i], magic));
     }
     exp_tails(x, tail);
     for (std::size_t i = 0; i < n; ++i) {

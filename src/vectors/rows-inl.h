@@ -58,7 +58,7 @@ HWY_INLINE void for_each_vector(int count, const Loop& loop) {
 /// The same for loops that change nothing they read: past the last whole vector they get the row's
 /// last cells once more, as far as it has a vector of them.
 template <class Loop>
-HWY_INLINE void for_each_vector_anew(int count, const Loop& loop) {
+HWY_INLINE void for_each_vector_overlapping(int count, const Loop& loop) {
     const hn::ScalableTag<double> doubles;
     constexpr std::size_t lanes = hn::MaxLanes(doubles);
     const auto cells = static_cast<std::size_t>(count);

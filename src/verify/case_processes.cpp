@@ -17,8 +17,8 @@
 #include <sys/prctl.h>
 #endif
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
 #include "base/stopwatch.h"
 #include "run/terminal/interrupt.h"
 
@@ -41,7 +41,7 @@ void write_all(int descriptor, const void* data, std::size_t count) {
 }
 
 /// "crashed (Segmentation fault)", for a status of waitpid().
-std::string how_it_ended(int status) {
+std::string termination_text(int status) {
     if (WIFEXITED(status)) {
         return fmt::format(
             "the process that drew it ended with status {} before it was done; standard error may "
@@ -76,7 +76,7 @@ CaseResult CaseProcesses::next() {
     if (answer == Answer::stopped) return stop(interrupting_signal());
     ++next_;
     if (answer == Answer::ended) {
-        CaseResult result = end_of_child();
+        CaseResult result = child_termination();
         result.seconds = watch.seconds();
         return result;
     }
@@ -91,7 +91,7 @@ CaseResult CaseProcesses::next() {
             Outcome::failed,
             fmt::format("the process that drew it was ended by signal {}", result.signal));
     }
-    if (result.spoilt) wait_for_child();
+    if (result.needs_new_process) wait_for_child();
     return result;
 }
 
@@ -115,13 +115,13 @@ void CaseProcesses::start() {
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
         if (::getppid() != parent) ::_exit(could_not_work);
-        be_the_child(ends[1]);
+        run_child(ends[1]);
     }
     ::close(ends[1]);
     from_child_ = ends[0];
 }
 
-void CaseProcesses::be_the_child(int to_parent) const {
+void CaseProcesses::run_child(int to_parent) const {
     std::signal(SIGINT, SIG_IGN);  // of a terminal, which sends it to both: the parent passes it on
     try {
         send_results(to_parent);
@@ -139,7 +139,7 @@ void CaseProcesses::send_results(int to_parent) const {
         const std::uint64_t size = message.size();
         write_all(to_parent, &size, sizeof size);
         write_all(to_parent, message.data(), message.size());
-        if (result.signal != 0 || result.spoilt) return;
+        if (result.signal != 0 || result.needs_new_process) return;
     }
 }
 
@@ -165,8 +165,8 @@ CaseProcesses::Answer CaseProcesses::receive(std::uint8_t* to, std::size_t count
     return Answer::came;
 }
 
-CaseResult CaseProcesses::end_of_child() {
-    return undrawn(Outcome::failed, how_it_ended(wait_for_child()));
+CaseResult CaseProcesses::child_termination() {
+    return undrawn(Outcome::failed, termination_text(wait_for_child()));
 }
 
 CaseResult CaseProcesses::stop(int signal) {
@@ -174,8 +174,9 @@ CaseResult CaseProcesses::stop(int signal) {
         ::kill(child_, SIGTERM);
         const Stopwatch watch;
         std::array<std::uint8_t, 4096> ignored{};
-        // A child that is at its work ends it within `patience`; one in a driver may not.
-        while (watch.seconds() < 2.0 * patience) {
+        // A child that is at its work ends it within `cancellation_grace_s`; one in a driver may
+        // not.
+        while (watch.seconds() < 2.0 * cancellation_grace_s) {
             pollfd waited{from_child_, POLLIN, 0};
             if (::poll(&waited, 1, poll_milliseconds) <= 0) continue;
             if (::read(from_child_, ignored.data(), ignored.size()) == 0) break;

@@ -39,13 +39,13 @@ class CaseProcesses {
     enum class Answer { came, ended, stopped };
 
     void start();
-    [[noreturn]] void be_the_child(int to_parent) const;
+    [[noreturn]] void run_child(int to_parent) const;
     void send_results(int to_parent) const;
     /// Waits for the whole of the next result.
     Answer receive(std::vector<std::uint8_t>& message);
     Answer receive(std::uint8_t* to, std::size_t count);
     /// How the child ended, which has closed its end of the pipe.
-    CaseResult end_of_child();
+    CaseResult child_termination();
     CaseResult stop(int signal);
     int wait_for_child();
 

@@ -42,7 +42,7 @@ const char* word_of(Outcome outcome) {
 CaseResult undrawn(Outcome outcome, std::string finding) {
     CaseResult result;
     result.word = word_of(outcome);
-    result.told = finding;
+    result.detail = finding;
     result.verdict = {outcome, std::move(finding)};
     return result;
 }
@@ -52,14 +52,14 @@ std::vector<std::uint8_t> message_of(const CaseResult& result) {
     Json json{{"outcome", static_cast<int>(result.verdict.outcome)},
               {"finding", binary(result.verdict.finding)},
               {"word", result.word},
-              {"told", binary(result.told)},
+              {"told", binary(result.detail)},
               {"expected_pixels", result.expected_pixels},
               {"got_pixels", result.got_pixels},
               {"name", result.name},
               {"kept", binary(result.kept)},
               {"seconds", result.seconds},
               {"signal", result.signal},
-              {"spoilt", result.spoilt}};
+              {"spoilt", result.needs_new_process}};
     if (result.got)
         json["got"] = binary(lock_text({{result.name, *result.got}}, LockOwner::verify));
     json["pictures"] = Json::array();
@@ -80,14 +80,14 @@ CaseResult result_of(const std::vector<std::uint8_t>& message) {
         result.verdict = {static_cast<Outcome>(json.at("outcome").get<int>()),
                           bytes_of(json.at("finding"))};
         result.word = json.at("word").get<std::string>();
-        result.told = bytes_of(json.at("told"));
+        result.detail = bytes_of(json.at("told"));
         result.expected_pixels = json.at("expected_pixels").get<std::string>();
         result.got_pixels = json.at("got_pixels").get<std::string>();
         result.name = json.at("name").get<std::string>();
         result.kept = bytes_of(json.at("kept"));
         result.seconds = json.at("seconds").get<double>();
         result.signal = json.at("signal").get<int>();
-        result.spoilt = json.at("spoilt").get<bool>();
+        result.needs_new_process = json.at("spoilt").get<bool>();
         if (json.contains("got")) {
             BaselineRecords one =
                 parse_lock(bytes_of(json.at("got")), "the child's record", LockOwner::verify);

@@ -14,7 +14,7 @@ namespace fumon {
 struct CaseResult {
     Verdict verdict;
     std::string word;             ///< "ok", "DIFFERS", "new" …: as standard output has it
-    std::string told;             ///< what it says behind it
+    std::string detail;           ///< what it says behind it
     std::string expected_pixels;  ///< SHA-256, hexadecimal; empty where nothing is recorded
     std::string got_pixels;       ///< empty where nothing was drawn
     std::string name;             ///< of the record that this one would replace, see record_name()
@@ -22,8 +22,8 @@ struct CaseResult {
     std::vector<PagePicture> pictures;  ///< of a case that does not pass
     std::string kept;                   ///< the PNG that is to be kept beside the baseline
     double seconds = 0.0;
-    int signal = 0;       ///< that stopped it
-    bool spoilt = false;  ///< memory ended: the process should do no other
+    int signal = 0;                  ///< that stopped it
+    bool needs_new_process = false;  ///< memory ended: the process should do no other
 };
 
 /// How standard output calls an outcome.

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
 #include "base/stopwatch.h"
 #include "files/hash.h"
 #include "run/terminal/interrupt.h"
@@ -68,7 +68,7 @@ class CaseWork {
             result.pictures = page_pictures(drawn.image, nullptr, nullptr);
         }
         result.word = word_of(result.verdict.outcome);
-        result.told = result.verdict.finding;
+        result.detail = result.verdict.finding;
         result.name =
             record_to_write(baseline_, one_, drawn.record.environment, options_.this_environment);
         result.got = drawn.record;
@@ -89,9 +89,9 @@ class CaseWork {
         result.verdict = {Outcome::as_recorded, fresh ? "recorded" : changed};
         const std::string of = result.name == one_.name ? "" : result.name + ": ";
         result.word = fresh ? "new" : changed.empty() ? "kept" : "changed";
-        result.told = of + (fresh             ? "recorded; look at it before you keep it"
-                            : changed.empty() ? "as recorded"
-                                              : changed);
+        result.detail = of + (fresh             ? "recorded; look at it before you keep it"
+                              : changed.empty() ? "as recorded"
+                                                : changed);
         return result;
     }
 
@@ -116,14 +116,14 @@ CaseResult result_of_work(const VerificationOptions& options, const Suite& suite
         return undrawn(Outcome::wrong_input, fault.what());
     } catch (const Error& fault) {
         return undrawn(Outcome::failed, fault.what());
-    } catch (const GivenUp&) {
+    } catch (const Cancelled&) {
         CaseResult result = undrawn(Outcome::failed, "stopped");
         result.signal = interrupting_signal();
         return result;
     } catch (const std::bad_alloc&) {
         CaseResult result =
             undrawn(Outcome::failed, "out of memory; a smaller grid or picture needs less");
-        result.spoilt = true;
+        result.needs_new_process = true;
         return result;
     } catch (const std::exception& fault) {
         return undrawn(Outcome::failed, std::string("unexpected: ") + fault.what());

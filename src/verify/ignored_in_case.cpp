@@ -30,11 +30,12 @@ void check_mask(const std::filesystem::path& folder, const std::string& mask,
         picture.width, picture.height));
 }
 
-std::vector<PixelBox> boxes_of(const BaselineCase& one, const std::vector<OverlayPlace>& places) {
+std::vector<PixelBox> boxes_of(const BaselineCase& one,
+                               const std::vector<OverlayRectangle>& places) {
     std::vector<PixelBox> boxes;
     for (const std::string& kind : one.ignore.overlays) {
         const std::size_t before = boxes.size();
-        for (const OverlayPlace& place : places) {
+        for (const OverlayRectangle& place : places) {
             if (place.kind == kind) boxes.push_back(place.box);
         }
         if (boxes.size() == before) {
@@ -49,8 +50,8 @@ std::vector<PixelBox> boxes_of(const BaselineCase& one, const std::vector<Overla
 
 }  // namespace
 
-std::vector<OverlayPlace> overlay_places(const Scene& scene, const Snapshot& first) {
-    std::vector<OverlayPlace> places;
+std::vector<OverlayRectangle> overlay_rectangles(const Scene& scene, const Snapshot& first) {
+    std::vector<OverlayRectangle> places;
     const FrameOverlays overlays(scene, first);
     for (const PlacedOverlay& placed : overlays.placed()) {
         const OverlayKind kind = scene.view.overlays[placed.number].kind;
@@ -63,7 +64,7 @@ std::vector<OverlayPlace> overlay_places(const Scene& scene, const Snapshot& fir
 }
 
 IgnoredPixels ignored_in_case(const Baseline& baseline, const BaselineCase& one, bool trusted,
-                              const Image& picture, const std::vector<OverlayPlace>& places) {
+                              const Image& picture, const std::vector<OverlayRectangle>& places) {
     try {
         const std::filesystem::path folder = baseline.file.parent_path();
         if (!trusted && !one.ignore.mask.empty()) check_mask(folder, one.ignore.mask, picture);

@@ -79,7 +79,7 @@ class Verification {
     }
 
     int run() {
-        page_.forget();
+        page_.remove_old();
         for (const Suite& suite : suites_) {
             before_.push_back(all_records(suite.baseline));
             if (!suite.fault.empty()) take_fault(suite);
@@ -127,7 +127,7 @@ class Verification {
     void take(const ChosenCase& at, CaseResult result) {
         Suite& suite = suite_at(at);
         const BaselineCase& one = case_at(at);
-        forget(suite, one.name);
+        remove_old(suite, one.name);
         if (options_.update && result.got) {
             try {
                 if (!result.kept.empty()) keep_picture(suite.baseline, result.name, result.kept);
@@ -141,8 +141,8 @@ class Verification {
     }
 
     /// Takes away what earlier results have of a case.
-    void forget(const Suite& suite, const std::string& name) {
-        if (good_record_name(name)) attempt([&] { page_.forget(suite.name, name); });
+    void remove_old(const Suite& suite, const std::string& name) {
+        if (good_record_name(name)) attempt([&] { page_.remove_old(suite.name, name); });
     }
 
     /// Tells, and notes for the report and the page.
@@ -150,7 +150,7 @@ class Verification {
         const bool good = result.verdict.outcome == Outcome::as_recorded;
         const bool same = good && (result.word == "ok" || result.word == "kept");
         if (!options_.as_json && !(same && options_.quietly())) {
-            fmt::print("{:<8} {} {}: {}\n", result.word, suite.name, name, result.told);
+            fmt::print("{:<8} {} {}: {}\n", result.word, suite.name, name, result.detail);
             std::fflush(stdout);
         }
         cases_.push_back({suite.baseline.file.string(), name, result.verdict, result.seconds,
@@ -161,7 +161,7 @@ class Verification {
     void show(const Suite& suite, const std::string& name, const CaseResult& result) {
         attempt([&] {
             page_.begin();
-            tell_temporary_folder();
+            report_temporary_folder();
         });
         const std::string file = suite.baseline.file.string();
         const std::string command =
@@ -173,7 +173,7 @@ class Verification {
             [&] { page_.add_record(suite.name, name, got_record_text(file, name, *result.got)); });
     }
 
-    void tell_temporary_folder() {
+    void report_temporary_folder() {
         if (results_.why_temporary.empty()) return;
         fmt::print(stderr, "{}; results are in {}\n", results_.why_temporary,
                    page_.folder().string());
@@ -188,7 +188,7 @@ class Verification {
             return true;
         } catch (const std::exception& fault) {
             could_not_write_ = true;
-            if (told_.insert(fault.what()).second) fmt::print(stderr, "{}\n", fault.what());
+            if (reported_.insert(fault.what()).second) fmt::print(stderr, "{}\n", fault.what());
             return false;
         }
     }
@@ -207,7 +207,7 @@ class Verification {
             const CaseResult result = undrawn(Outcome::failed, why);
             annotations_.push_back({case_at(chosen_[number]).place, name, result.verdict});
             cases_.push_back({suite.baseline.file.string(), name, result.verdict});
-            forget(suite, name);
+            remove_old(suite, name);
             if (!options_.update) show(suite, name, result);
         }
     }
@@ -302,7 +302,7 @@ class Verification {
     std::vector<BaselineRecords> before_;  ///< what the suites' locks hold
     std::vector<JunitCase> cases_;
     std::vector<Annotation> annotations_;  ///< of the same
-    std::set<std::string> told_;           ///< faults
+    std::set<std::string> reported_;       ///< faults
     bool could_not_write_ = false;
     bool stopped_ = false;
 };

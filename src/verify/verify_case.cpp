@@ -62,7 +62,7 @@ DrawnCase draw_figure_case(const Baseline& baseline, const BaselineCase& one,
 }
 
 /// Whether a line tells of the baseline alone, or of a limit.
-bool may_be_told(const std::string& line) {
+bool may_be_reported(const std::string& line) {
     return line.starts_with("settings.") || line.starts_with("step ") ||
            line.starts_with("time ") || line.find("--trust") != std::string::npos;
 }
@@ -75,7 +75,7 @@ auto located(const BaselineCase& one, bool trusted, const Work& work) {
     } catch (const InputError& fault) {
         const std::string place = fmt::format("{}: cases.{}: ", one.place, one.name);
         std::vector<std::string> lines = fault.lines();
-        if (!trusted) std::erase_if(lines, [](const auto& line) { return !may_be_told(line); });
+        if (!trusted) std::erase_if(lines, [](const auto& line) { return !may_be_reported(line); });
         if (lines.empty()) {
             lines.push_back(
                 fmt::format("{} is not there or is not sound; `fumon check` with its path, or "
@@ -127,7 +127,7 @@ namespace {
 /// where one may be ignored.
 DrawnCase draw_whole_case(const Baseline& baseline, const BaselineCase& one, bool trusted,
                           const std::string& version, const WorkOptions& work,
-                          std::vector<OverlayPlace>& overlays) {
+                          std::vector<OverlayRectangle>& overlays) {
     if (one.figure) {
         return located(one, trusted, [&] {
             FigureSources sources(trusted, version);
@@ -153,7 +153,7 @@ DrawnCase draw_whole_case(const Baseline& baseline, const BaselineCase& one, boo
                         {},
                         drawing.record.under_overlays};
         drawn.image = std::move(drawing.image);
-        if (!one.ignore.overlays.empty()) overlays = overlay_places(prepared.scene, first);
+        if (!one.ignore.overlays.empty()) overlays = overlay_rectangles(prepared.scene, first);
         return drawn;
     });
 }
@@ -168,7 +168,7 @@ Sha256 hash_without(const Image& image, const IgnoredPixels& ignored) {
 
 DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, bool trusted,
                     const std::string& version, const WorkOptions& work) {
-    std::vector<OverlayPlace> overlays;
+    std::vector<OverlayRectangle> overlays;
     DrawnCase drawn = draw_whole_case(baseline, one, trusted, version, work, overlays);
     if (drawn.signal != 0 || !one.ignore.any()) return drawn;
     drawn.ignored = ignored_in_case(baseline, one, trusted, drawn.image, overlays);

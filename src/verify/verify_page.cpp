@@ -156,7 +156,7 @@ VerifyPage::VerifyPage(std::filesystem::path folder, const OutputClaims& claims)
     claims.check(file(), false);
 }
 
-void VerifyPage::forget() {
+void VerifyPage::remove_old() {
     if (!folder_.empty()) remove_file(file());
 }
 
@@ -180,13 +180,13 @@ void VerifyPage::check(const std::string& suite, const std::string& name,
     for (const auto& file : files_of(suite, name)) claims.check(file, false);
 }
 
-void VerifyPage::forget(const std::string& suite, const std::string& name) {
+void VerifyPage::remove_old(const std::string& suite, const std::string& name) {
     std::error_code fault;
     const std::filesystem::path folder = folder_ / suite;
     if (folder_.empty() || std::filesystem::is_symlink(folder, fault)) return;
     bool any = false;
     for (const auto& file : files_of(suite, name)) {
-        if (!std::filesystem::exists(file, fault) || !says_that_fumon_made_it(file)) continue;
+        if (!std::filesystem::exists(file, fault) || !is_made_by_fumon(file)) continue;
         remove_file(file);
         any = true;
     }

@@ -31,11 +31,11 @@ class VerifyPage {
     void check(const std::string& suite, const std::string& name, const OutputClaims& claims) const;
 
     /// Deletes the page that an earlier run left there. Throws Error.
-    void forget();
+    void remove_old();
 
     /// Deletes the pictures that an earlier run left of a case, and nothing of others'. Throws
     /// Error.
-    void forget(const std::string& suite, const std::string& name);
+    void remove_old(const std::string& suite, const std::string& name);
 
     /// Writes page_pictures() as DIR/SUITE/NAME-KIND.png and shows them. Throws Error.
     void add(const std::string& suite, const std::string& name, const Verdict& verdict,

@@ -14,10 +14,10 @@ namespace fumon {
 
 namespace {
 
-constexpr int scanned_a_degree = 10;
-constexpr double scanned_every = 1.0 / scanned_a_degree;  // degrees
-constexpr double same_direction = 1e-3;                   // degrees
-constexpr double equally_good = 1e-6;                     // of the best, in relation to it
+constexpr int scan_steps_per_degree = 10;
+constexpr double scan_step_degrees = 1.0 / scan_steps_per_degree;  // degrees
+constexpr double same_direction = 1e-3;                            // degrees
+constexpr double equally_good = 1e-6;                              // of the best, in relation to it
 constexpr int bisections = 50;
 
 double sine(double degrees) {
@@ -83,9 +83,10 @@ std::vector<double> best_of(const std::vector<Candidate>& candidates) {
 /// The directions from 0 up to 180 in which a function that turns in 180 degrees is largest.
 template <class Function>
 std::vector<double> maxima(const Function& of) {
-    constexpr auto count = static_cast<std::size_t>(half_turn) * scanned_a_degree;
+    constexpr auto count = static_cast<std::size_t>(half_turn) * scan_steps_per_degree;
     std::vector<double> values(count);
-    for (std::size_t i = 0; i < count; ++i) values[i] = of(scanned_every * static_cast<double>(i));
+    for (std::size_t i = 0; i < count; ++i)
+        values[i] = of(scan_step_degrees * static_cast<double>(i));
     const auto [lowest, highest] = std::ranges::minmax(values);
     if (highest - lowest <= equally_good * highest) return {};
     std::vector<Candidate> candidates;
@@ -93,8 +94,8 @@ std::vector<double> maxima(const Function& of) {
         const double before = values[(i + count - 1) % count];
         const double after = values[(i + 1) % count];
         if (values[i] < before || values[i] < after) continue;
-        const double at = scanned_every * static_cast<double>(i);
-        const double found = maximum_between(of, at - scanned_every, at + scanned_every);
+        const double at = scan_step_degrees * static_cast<double>(i);
+        const double found = maximum_between(of, at - scan_step_degrees, at + scan_step_degrees);
         candidates.push_back({within(found, half_turn), of(found)});
     }
     return best_of(candidates);
@@ -112,12 +113,12 @@ std::vector<double> fingers(std::span<const SandFlux> fluxes, double flux_ratio)
     const auto across = [&](double along) { return over_crest(along, sine); };
     const double potential = drift_of(fluxes).potential;
     std::vector<Candidate> candidates;
-    constexpr int count = static_cast<int>(full_turn) * scanned_a_degree;
+    constexpr int count = static_cast<int>(full_turn) * scan_steps_per_degree;
     // Off the round numbers, on which the tables of people have their zeros.
-    constexpr double first = scanned_every / 3.0;
+    constexpr double first = scan_step_degrees / 3.0;
     for (int i = 0; i < count; ++i) {
-        const double low = first + scanned_every * i;
-        const double high = low + scanned_every;
+        const double low = first + scan_step_degrees * i;
+        const double high = low + scan_step_degrees;
         if ((across(low) < 0.0) == (across(high) < 0.0)) continue;
         const double found = zero_between(across, low, high);
         const double along = over_crest(found, cosine);

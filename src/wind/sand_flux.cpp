@@ -10,14 +10,14 @@ namespace fumon {
 
 namespace {
 
-constexpr double karman = 0.4;
-constexpr double measured_at = 10.0;  // m
-constexpr double knots_per_metre_a_second = 3600.0 / 1852.0;
+constexpr double von_karman_constant = 0.4;
+constexpr double measurement_height_m = 10.0;  // m
+constexpr double knots_per_metre_per_second = 3600.0 / 1852.0;
 constexpr double percent = 100.0;
-constexpr double weights_divided_by = 100.0;  // by Fryberger & Dean, to keep them short
-constexpr double seconds_a_year = 365.25 * 86400.0;
-constexpr double fluid_threshold_number = 0.11;  // Bagnold's A
-constexpr double impact_share = 0.8;             // of the fluid threshold
+constexpr double drift_potential_divisor = 100.0;  // by Fryberger & Dean, to keep them short
+constexpr double seconds_per_year = 365.25 * 86400.0;
+constexpr double fluid_threshold_number = 0.11;    // Bagnold's A
+constexpr double impact_to_fluid_threshold = 0.8;  // of the fluid threshold
 
 double relative_density(const SandAndAir& of) {
     return of.grain_density / of.air_density;
@@ -60,7 +60,7 @@ Saltation saltation_of(const SandAndAir& of) {
     const double d = of.grain_diameter;
     Saltation salt;
     salt.threshold = impact_threshold(of);
-    const double threshold_number = impact_share * fluid_threshold_number;
+    const double threshold_number = impact_to_fluid_threshold * fluid_threshold_number;
     const double time = cube_root(viscosity / (of.gravity * of.gravity));
     const double length = cube_root(viscosity * viscosity /
                                     (threshold_number * threshold_number * of.gravity * (s - 1.0)));
@@ -80,7 +80,7 @@ Saltation saltation_of(const SandAndAir& of) {
 }  // namespace
 
 double impact_threshold(const SandAndAir& of) {
-    return impact_share * fluid_threshold_number *
+    return impact_to_fluid_threshold * fluid_threshold_number *
            std::sqrt(of.gravity * of.grain_diameter * (relative_density(of) - 1.0));
 }
 
@@ -89,7 +89,7 @@ double saturated_flux(const SandAndAir& of, double friction_velocity) {
     if (friction_velocity <= salt.threshold) return 0.0;
     const double excess = friction_velocity / salt.threshold;
     const double grains =
-        friction_velocity / karman *
+        friction_velocity / von_karman_constant *
             (salt.logarithm - (1.0 - salt.threshold / friction_velocity) * salt.weakened_part) -
         salt.slip;
     const double stress = of.air_density * salt.threshold * salt.threshold;
@@ -100,9 +100,9 @@ double saturated_flux(const SandAndAir& of, double friction_velocity) {
 std::vector<SandFlux> fryberger_fluxes(const WindRose& rose, double threshold_knots) {
     std::vector<SandFlux> fluxes;
     for (const WindClass& wind : rose) {
-        const double speed = wind.speed * knots_per_metre_a_second;
+        const double speed = wind.speed * knots_per_metre_per_second;
         if (speed <= threshold_knots) continue;
-        const double weight = speed * speed * (speed - threshold_knots) / weights_divided_by;
+        const double weight = speed * speed * (speed - threshold_knots) / drift_potential_divisor;
         fluxes.push_back({opposite(wind.from), weight * wind.share * percent});
     }
     return fluxes;
@@ -113,8 +113,8 @@ std::vector<SandFlux> saturated_fluxes(const WindRose& rose, const SandAndAir& o
     std::vector<SandFlux> fluxes;
     for (const WindClass& wind : rose) {
         const double friction_velocity =
-            karman * wind.speed / elementary::log(measured_at / of.roughness);
-        const double flux = saturated_flux(of, friction_velocity) / bulk * seconds_a_year;
+            von_karman_constant * wind.speed / elementary::log(measurement_height_m / of.roughness);
+        const double flux = saturated_flux(of, friction_velocity) / bulk * seconds_per_year;
         if (flux > 0.0) fluxes.push_back({opposite(wind.from), flux * wind.share});
     }
     return fluxes;

@@ -16,7 +16,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double metres_per_second_of_a_knot = 1852.0 / 3600.0;
+constexpr double metres_per_second_per_knot = 1852.0 / 3600.0;
 constexpr double highest_speed = 150.0;  // m/s
 constexpr double largest_number = 1e12;
 constexpr double rounding_of_shares = 1e-3;  // a table's frequencies are rounded
@@ -95,7 +95,7 @@ WindTable read_wind_table(const TextSource& source) {
                 read.fluxes.push_back({opposite(direction_of(from[row])), amounts[row]});
         }
     } else {
-        const double unit = in_knots ? metres_per_second_of_a_knot : 1.0;
+        const double unit = in_knots ? metres_per_second_per_knot : 1.0;
         const std::vector<double>& speeds =
             numbers_of(source, table, column_of(source, table, in_knots ? "speed_knots" : "speed"),
                        0.0, highest_speed / unit);

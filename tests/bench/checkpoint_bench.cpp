@@ -29,7 +29,7 @@ void measure(benchmark::State& state, const std::string& keys) {
     const std::filesystem::path file = std::filesystem::current_path() / "checkpoint_bench.fumon";
     for ([[maybe_unused]] auto _ : state) {
         CheckpointWriter writer(file);
-        model->carry(writer);
+        model->serialise(writer);
         writer.commit();
     }
     const auto bytes = static_cast<double>(std::filesystem::file_size(file));

@@ -15,7 +15,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "base/worker_pool.h"
 #include "fastest.h"
 #include "models/water/finite_volume_scheme.h"
@@ -99,7 +99,7 @@ GullyParameters parameters_of_loads(BedLoadLaw bed_load, EntrainmentLaw entrainm
 }
 
 /// Puts the same load into the water everywhere, m.
-class LoadAll : public StateCarrier {
+class LoadAll : public StateArchive {
   public:
     explicit LoadAll(double load) : load_(load) {}
     void values(std::string_view name, std::span<double> values) override {
@@ -120,7 +120,7 @@ void measure_loads(benchmark::State& state, const GullyParameters& parameters, d
     WorkerPool pool;
     Gully gully(parameters, {noise(side, 0.001), {}, {1.0, 1.0, 1.0, true}, 1, pool});
     LoadAll loaded(load);
-    gully.carry(loaded);
+    gully.serialise(loaded);
     Fastest fastest;
     for ([[maybe_unused]] auto _ : state)
         state.SetIterationTime(fastest.time([&] { gully.step(); }));

@@ -276,7 +276,7 @@ Setting setting_of(const Case& one, int cells) {
     setting.domain.dx = setting.domain.dy = dx;
     setting.domain.edges_x = setting.parameters.edges_x;
     setting.domain.edges_y = setting.parameters.edges_y;
-    setting.domain.stretches = stretches_of(setting.parameters, setting.domain, cells, rows);
+    setting.domain.segments = edge_segments_of(setting.parameters, setting.domain, cells, rows);
     for (int y = 0; y < rows; ++y) {
         for (int x = 0; x < cells; ++x) {
             const Flow flow =
@@ -374,7 +374,7 @@ Outcome run_case(const Case& one, int cells, int threads) {
     Setting setting = setting_of(one, cells);
     WorkerPool pool(threads);
     FiniteVolumeScheme scheme(setting.parameters, setting.domain, pool);
-    scheme.take_means(setting.water, setting.bed);
+    scheme.convert_to_means(setting.water, setting.bed);
     Outcome outcome;
     const double rain = setting.parameters.rain / 3.6e6;
     const auto volume = [&] {

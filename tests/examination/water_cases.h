@@ -60,7 +60,7 @@ struct Outcome {
 };
 
 /// What the depths of cells that a shore crosses are compared with: given at the start are those of
-/// the cells' middles, which a scheme may change to means (ShallowWaterScheme::take_means).
+/// the cells' middles, which a scheme may change to means (ShallowWaterScheme::convert_to_means).
 enum class DepthsAtShore { at_middles, means };
 DepthsAtShore depths_of(const Case& one);
 

@@ -24,7 +24,7 @@ TEST(AppendedFile, KnowsItsHashAndGoesOnBehindIt) {
     whole.write("3\n");
     for (const char* left : {"a.csv.part", "a.csv"}) {
         folder.file(left, "1\n2\nhalf a li");
-        EXPECT_EQ(left_name(folder / "a.csv"), folder / left);
+        EXPECT_EQ(surviving_file(folder / "a.csv"), folder / left);
         EXPECT_EQ(difference(folder / "a.csv", beginning), "");
         AppendedFile file(folder / "a.csv", beginning);
         EXPECT_EQ(file.sync().hash, beginning.hash);

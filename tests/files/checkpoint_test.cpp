@@ -27,27 +27,27 @@ struct Contents {
     std::int64_t step = 12;
     bool steady = true;
 
-    void carry(StateCarrier& carrier) {
-        carrier.text("scene", scene);
-        carrier.count("step", step);
-        carrier.value("steady", steady);
-        carrier.values("field", std::span(field));
-        carrier.list("counts", counts);
-        carrier.list("empty", empty);
+    void serialise(StateArchive& archive) {
+        archive.text("scene", scene);
+        archive.count("step", step);
+        archive.value("steady", steady);
+        archive.values("field", std::span(field));
+        archive.list("counts", counts);
+        archive.list("empty", empty);
     }
 };
 
 std::string written(const TemporaryFolder& folder) {
     Contents contents;
     CheckpointWriter writer(folder / "checkpoint");
-    contents.carry(writer);
+    contents.serialise(writer);
     writer.commit();
     return bytes_of(folder / "checkpoint");
 }
 
 void read(const std::string& bytes, Contents& contents) {
     CheckpointReader reader(std::make_unique<std::istringstream>(bytes), "c");
-    contents.carry(reader);
+    contents.serialise(reader);
     reader.finish();
 }
 
@@ -156,11 +156,11 @@ TEST(Checkpoint, WhatIsAskedForMustBeThere) {
     Contents shorter;
     shorter.field.resize(3);
     EXPECT_NE(
-        ask([&](CheckpointReader& c) { shorter.carry(c); }).find("its field has another size"),
+        ask([&](CheckpointReader& c) { shorter.serialise(c); }).find("its field has another size"),
         std::string::npos);
     EXPECT_NE(ask([&](CheckpointReader& c) {
                   Contents contents;
-                  contents.carry(c);
+                  contents.serialise(c);
                   c.value("more", number);
               }).find("is cut short"),
               std::string::npos);
@@ -168,7 +168,7 @@ TEST(Checkpoint, WhatIsAskedForMustBeThere) {
 
 TEST(Checkpoint, AFullDiskLeavesTheFormerOne) {
     const TemporaryFolder folder;
-    const std::string former = written(folder);
+    const std::string previous = written(folder);
     {
         const test::FileSizeLimit limit(1000);
         EXPECT_THROW(
@@ -180,7 +180,7 @@ TEST(Checkpoint, AFullDiskLeavesTheFormerOne) {
             },
             Error);
     }
-    EXPECT_EQ(bytes_of(folder / "checkpoint"), former);
+    EXPECT_EQ(bytes_of(folder / "checkpoint"), previous);
     EXPECT_EQ(folder.entries(), 1) << "the failed one is gone";
 }
 

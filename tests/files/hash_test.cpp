@@ -25,7 +25,7 @@ class FakeModel : public Model {
     [[nodiscard]] std::vector<StateField> state() const override {
         return {{"bed", bed}, {"water", water}};
     }
-    void carry(StateCarrier&) override {}
+    void serialise(StateArchive&) override {}
 };
 
 // FIPS 180-2, appendix B.1: the message "abc".

@@ -81,7 +81,7 @@ TEST(BedAlone, KeepsTheSandOnRockAndNothingElse) {
                        {"rock", "", "m", Grid(2, 1, 3.0)},
                        {"moving_sand", "", "m", Grid(2, 1, 1.0)}};
     snapshot.numbers = {{"sand_volume", "m3", 2.0}};
-    leave_what_bed_tells(snapshot);
+    keep_fields_of_bed(snapshot);
     ASSERT_EQ(snapshot.fields.size(), 2U);
     EXPECT_EQ(snapshot.fields[0].values(1, 0), 2.0);
     EXPECT_EQ(snapshot.fields[1].values(1, 0), 3.0);

@@ -57,7 +57,7 @@ std::string fault_of(const std::string& text, std::size_t runs = 2) {
         const Film film = parse_film(text, (folder / "j.toml").string());
         std::vector<std::string> folders{(folder / "a").string(), (folder / "b").string()};
         folders.resize(runs);
-        const FilmRuns shown(folders, 1, showing_of(film));
+        const FilmRuns shown(folders, 1, arrangement_of(film));
         WorkerPool pool(1);
         const JoinedFilm frames(film, shown, film_size(film), {}, gl::Backend::automatic, pool);
     } catch (const InputError& fault) {
@@ -70,7 +70,8 @@ std::string fault_of(const std::string& text, std::size_t runs = 2) {
 TEST(JoinedFilm, ShowsPiecesOfOtherFilmsEachOfItsRun) {
     const ScratchFolder& folder = joined_films();
     const Film film = parse_film(joined, (folder / "joined.toml").string());
-    const FilmRuns runs({(folder / "a").string(), (folder / "b").string()}, 1, showing_of(film));
+    const FilmRuns runs({(folder / "a").string(), (folder / "b").string()}, 1,
+                        arrangement_of(film));
     WorkerPool pool(1);
     JoinedFilm frames(film, runs, film_size(film), {}, gl::Backend::automatic, pool);
     EXPECT_EQ(frames.frames(), 5 + 5 - 2);
@@ -93,7 +94,8 @@ TEST(JoinedFilm, ComesBackToAPieceThatItLetGo) {
                                      "[[excerpt]]\nfilm = \"one.toml\"\nrun = 2\nfrom = 1\n"
                                      "[[excerpt]]\nfilm = \"one.toml\"\nrun = 1\nfrom = 1\n",
                                  (folder / "joined.toml").string());
-    const FilmRuns runs({(folder / "a").string(), (folder / "b").string()}, 1, showing_of(film));
+    const FilmRuns runs({(folder / "a").string(), (folder / "b").string()}, 1,
+                        arrangement_of(film));
     WorkerPool pool(1);
     JoinedFilm frames(film, runs, film_size(film), {}, gl::Backend::automatic, pool);
     std::vector<Image> shown;
@@ -116,7 +118,8 @@ TEST(JoinedFilm, ABlurredCardStandsOnTheLastPicture) {
     const std::string card =
         "[[card]]\nplace = \"end\"\nground = \"blurred\"\ntitle = \".\"\nseconds = 1\n";
     const Film longer = parse_film(joined + card, place);
-    const FilmRuns runs({(folder / "a").string(), (folder / "b").string()}, 1, showing_of(film));
+    const FilmRuns runs({(folder / "a").string(), (folder / "b").string()}, 1,
+                        arrangement_of(film));
     WorkerPool pool(1);
     JoinedFilm frames(longer, runs, film_size(longer), {}, gl::Backend::automatic, pool);
     const Image shown = frames.paint(frames.frames() - 1);

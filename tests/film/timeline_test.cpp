@@ -58,10 +58,10 @@ TEST(Timeline, AHoldKeepsTheLastPicture) {
 
 TEST(Timeline, DarkAndBlurredCardsStandBeforeAndAfterTheShots) {
     Film film = film_of_shots({2.0});
-    for (const CardPlace place : {CardPlace::end, CardPlace::start}) {
+    for (const CardPosition place : {CardPosition::end, CardPosition::start}) {
         Card card;
         card.place = place;
-        card.ground = place == CardPlace::end ? CardGround::blurred : CardGround::dark;
+        card.ground = place == CardPosition::end ? CardBackground::blurred : CardBackground::dark;
         card.seconds = 1.0;
         card.fade = 0.2;
         film.cards.push_back(card);

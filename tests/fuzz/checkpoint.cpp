@@ -38,9 +38,9 @@ void read_checkpoint(const std::string& bytes, std::size_t kind) {
     fuzz::taken([&] {
         CheckpointReader reader(std::make_unique<std::istringstream>(bytes), "checkpoint.fumon");
         RunCheckpoint checkpoint;
-        checkpoint.carry(reader);
+        checkpoint.serialise(reader);
         const auto model = fuzz::small_model(kind);
-        model->carry(reader);
+        model->serialise(reader);
         reader.finish();
         if (model->steps_done() < 0 || model->snapshot().bed.size() == 0)
             fuzz::broken_promise("a restored model can be shown", "");
@@ -62,8 +62,8 @@ void make_corpus(const std::filesystem::path& folder) {
         checkpoint.inputs.push_back({"bed.asc", "00ff"});
         const std::filesystem::path file = folder / fuzz::checkpoint_kinds.at(kind).name;
         CheckpointWriter writer(file);
-        checkpoint.carry(writer);
-        model->carry(writer);
+        checkpoint.serialise(writer);
+        model->serialise(writer);
         writer.commit();
         std::ostringstream bytes;
         bytes << std::ifstream(file, std::ios::binary).rdbuf();

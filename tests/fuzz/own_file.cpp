@@ -6,6 +6,6 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const fumon::fuzz::MemoryFile file(fumon::fuzz::as_text(data, size));
-    fumon::says_that_fumon_made_it(file.path());
+    fumon::is_made_by_fumon(file.path());
     return 0;
 }

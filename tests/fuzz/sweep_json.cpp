@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }();
     if (listed_runs(text) < -1) fuzz::broken_promise("runs can be counted", text);
     for (const SweepPlan* now : {&plan, &without_axes}) {
-        std::vector<std::size_t> order = former_sweep(text, *now).order;
+        std::vector<std::size_t> order = previous_sweep(text, *now).order;
         std::sort(order.begin(), order.end());
         if (std::adjacent_find(order.begin(), order.end()) != order.end() ||
             (!order.empty() && order.back() >= now->runs.size()))

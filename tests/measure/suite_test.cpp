@@ -190,9 +190,9 @@ TEST(MeasureSuite, WhatRowsDrawOnGoesOverACheckpoint) {
     const test::TemporaryFolder folder;
     const auto carried = [&](MeasureSuite& from, MeasureSuite& to) {
         CheckpointWriter writer(folder / "suite");
-        from.carry(writer);
+        from.serialise(writer);
         writer.commit();
-        to.carry(*open_checkpoint(folder / "suite"));
+        to.serialise(*open_checkpoint(folder / "suite"));
     };
     const auto same = [](const std::vector<double>& one, const std::vector<double>& other) {
         return std::equal(

@@ -94,12 +94,12 @@ TEST(HeightMesh, KeepsToTheTrianglesThatItMayHave) {
     const Snapshot snapshot = ragged_bed(101, 67, 0.0);
     const HeightMesh all = height_mesh(snapshot, 1.0, 1000000);
     EXPECT_EQ(all.top.triangles.size(), 2U * 100 * 66);
-    EXPECT_EQ(all.cells_a_point, 1);
+    EXPECT_EQ(all.cells_per_point, 1);
     EXPECT_EQ(all.top.points.front().x, 1.0);
     EXPECT_EQ(all.top.points.front().y, 1.5);
     const HeightMesh few = height_mesh(snapshot, 1.0, 500);
     EXPECT_LE(few.top.triangles.size(), 500U);
-    EXPECT_GT(few.cells_a_point, 4);
+    EXPECT_GT(few.cells_per_point, 4);
     for (const auto& place : few.places) EXPECT_TRUE(place[0] > 0.0 && place[0] < 1.0);
     Snapshot nothing = ragged_bed(5, 5, 1.1);
     EXPECT_THROW(height_mesh(nothing, 1.0, 1000), InputError);

@@ -14,10 +14,10 @@ TEST(TimeTable, ValuesAreLinearAndStairsHold) {
     EXPECT_EQ(value_at(times, values, 15.0), 2.0);
     EXPECT_EQ(value_at(times, values, 30.0), 1.5);
     EXPECT_EQ(value_at(times, values, 99.0), 0.0);
-    EXPECT_EQ(mean_of_stairs(times, values, 0.0, 10.0), 0.0);
-    EXPECT_EQ(mean_of_stairs(times, values, 5.0, 15.0), 0.5);
-    EXPECT_EQ(mean_of_stairs(times, values, 15.0, 25.0), 2.0);
-    EXPECT_EQ(mean_of_stairs(times, values, 40.0, 50.0), 0.0);
+    EXPECT_EQ(mean_of_steps(times, values, 0.0, 10.0), 0.0);
+    EXPECT_EQ(mean_of_steps(times, values, 5.0, 15.0), 0.5);
+    EXPECT_EQ(mean_of_steps(times, values, 15.0, 25.0), 2.0);
+    EXPECT_EQ(mean_of_steps(times, values, 40.0, 50.0), 0.0);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class FigureChartsTest : public FigureTest {
     [[nodiscard]] std::string caption() const { return text("out/chart.caption.txt"); }
     [[nodiscard]] std::string drawn() const { return text("out/chart.svg"); }
 
-    void expect_told(const std::string& part) const {
+    void expect_reported(const std::string& part) const {
         EXPECT_NE(caption().find(part), std::string::npos) << part << "\n" << caption();
     }
 };
@@ -45,12 +45,12 @@ TEST_F(FigureChartsTest, ABandStandsInPlaceOfBars) {
     EXPECT_NE(drawn(), with_bars);
     EXPECT_NE(drawn().find("fill-opacity:0.25"), std::string::npos);
     EXPECT_EQ(with_bars.find("fill-opacity:0.25"), std::string::npos);
-    expect_told("Bands are standard deviations, n = 2 at x = 1, else 3");
+    expect_reported("Bands are standard deviations, n = 2 at x = 1, else 3");
     ASSERT_EQ(chart_of("x,y\n1,1\n1,90\n2,10\n2,11\n", "y_logarithmic = true\n",
                        curve + "bars = \"band\"\n")
                   .status,
               0);
-    expect_told("The band reaches below zero.");
+    expect_reported("The band reaches below zero.");
 }
 
 TEST_F(FigureChartsTest, AFormulaStandsBesideData) {
@@ -59,7 +59,7 @@ TEST_F(FigureChartsTest, AFormulaStandsBesideData) {
                  "[[figure.panel.curve]]\ntable = \"expression\"\nname = \"theory\"\nexpression = "
                  "\"a * x^2 + 1\"\nconstants = [\"a = 0.5\"]\n");
     ASSERT_EQ(ended.status, 0) << ended.errors;
-    expect_told("Curve 2: y = a * x² + 1, a = 0.5.");
+    expect_reported("Curve 2: y = a * x² + 1, a = 0.5.");
     EXPECT_NE(text("out/chart-a-2.csv").find("# y = a * x^2 + 1; a = 0.5\n"), std::string::npos);
     const Cells cells = cells_of(text("out/chart-a-2.csv"));
     ASSERT_EQ(cells.size(), 402U);
@@ -93,10 +93,10 @@ TEST_F(FigureChartsTest, AHeatMapHasTheMeansOfItsRunsAndTheirNumber) {
                                                           {"1", "10", "6", "1"},
                                                           {"2", "10", "8", "3"},
                                                           {"4", "10", "", "0"}}));
-    expect_told("Curve 1: z over a and b");
-    expect_told("Colours from 2 to 8.");
-    expect_told("n = 1 to 3 in a cell; numbers are means (and n).");
-    expect_told("1 of 6 cells are without a value (crossed).");
+    expect_reported("Curve 1: z over a and b");
+    expect_reported("Colours from 2 to 8.");
+    expect_reported("n = 1 to 3 in a cell; numbers are means (and n).");
+    expect_reported("1 of 6 cells are without a value (crossed).");
     EXPECT_NE(drawn().find("(3)"), std::string::npos);
 
     ASSERT_EQ(chart_of(table,
@@ -105,12 +105,12 @@ TEST_F(FigureChartsTest, AHeatMapHasTheMeansOfItsRunsAndTheirNumber) {
                        curve)
                   .status,
               0);
-    expect_told("Colours by z: flat below 3, ripples from 3, dunes from 6.5.");
+    expect_reported("Colours by z: flat below 3, ripples from 3, dunes from 6.5.");
     EXPECT_NE(drawn().find("ripples"), std::string::npos);
     ASSERT_EQ(
         chart_of(table, "kind = \"heat-map\"\nlevels = [3.0]\ncontours = 2.0\n", curve).status, 0);
-    expect_told("Lines at 3.");
-    expect_told("Lines every 2.");
+    expect_reported("Lines at 3.");
+    expect_reported("Lines every 2.");
 
     const std::string words = "a,b,z\nsand,low,1\nloess,low,3\nsand,high,4\n";
     ASSERT_EQ(chart_of(words, "kind = \"heat-map\"\n", curve).status, 0);
@@ -173,8 +173,8 @@ TEST_F(FigureChartsTest, AScatterPlotHasTheColoursOfAThirdNumber) {
     ASSERT_EQ(ended.status, 0) << ended.errors;
     EXPECT_EQ(cells_of(text("out/chart-a-1.csv")),
               (Cells{{"a", "b", "z"}, {"1", "2", "10"}, {"2", "3", "20"}, {"4", "1", "40"}}));
-    expect_told("Colours from 10 to 40.");
-    expect_told("3 points, one for each row.");
+    expect_reported("Colours from 10 to 40.");
+    expect_reported("3 points, one for each row.");
 }
 
 TEST_F(FigureChartsTest, AHistogramHasNumpysBins) {
@@ -186,9 +186,9 @@ TEST_F(FigureChartsTest, AHistogramHasNumpysBins) {
                                                           {"1", "9", "7"},
                                                           {"9", "17", "1"},
                                                           {"17", "25", "1"}}));
-    expect_told("Curve 1: values of v");
-    expect_told("4 bins from -7 to 25.");
-    expect_told("n = 10.");
+    expect_reported("Curve 1: values of v");
+    expect_reported("4 bins from -7 to 25.");
+    expect_reported("n = 10.");
     ASSERT_EQ(chart_of(table,
                        "kind = \"histogram\"\nbins = 5\nbin_low = 0.0\nbin_high = 10.0\n"
                        "bar_height = \"density\"\n",
@@ -200,7 +200,7 @@ TEST_F(FigureChartsTest, AHistogramHasNumpysBins) {
     const std::vector<double> densities{0.125, 0.125, 0.1875, 0.0, 0.0625};
     for (std::size_t i = 0; i < 5; ++i)
         EXPECT_NEAR(std::stod(cells[i + 1][3]), densities[i], 1e-15);
-    expect_told("n = 8 (2 more lie outside of the bins).");
+    expect_reported("n = 8 (2 more lie outside of the bins).");
 }
 
 TEST_F(FigureChartsTest, ABoxPlotHasNumpysQuartiles) {
@@ -218,16 +218,16 @@ TEST_F(FigureChartsTest, ABoxPlotHasNumpysQuartiles) {
         EXPECT_NEAR(std::stod(cells[2][i + 2]), numbers[i], 1e-14);
     EXPECT_EQ(cells[2][8], "2") << "beyond the whiskers: -7 and 25";
     EXPECT_EQ(cells_of(text("out/chart-a-1-values.csv")).size(), 13U);
-    expect_told("quartile (linear between values)");
-    expect_told("whiskers to the farthest values within 1.5 times the box's length");
-    expect_told("n = 2 to 10 for each.");
+    expect_reported("quartile (linear between values)");
+    expect_reported("whiskers to the farthest values within 1.5 times the box's length");
+    expect_reported("n = 2 to 10 for each.");
 
     ASSERT_EQ(chart_of(table, "kind = \"box-plot\"\nshape = \"violin\"\nshow_values = true\n",
                        "x = \"x\"\ny = \"y\"\n")
                   .status,
               0);
     EXPECT_EQ(cells_of(text("out/chart-a-1-density.csv")).size(), 201U);
-    expect_told("Scott's rule");
+    expect_reported("Scott's rule");
 }
 
 TEST_F(FigureChartsTest, ADifferenceNamesBothBedsAndPartsAtZero) {

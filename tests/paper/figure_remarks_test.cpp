@@ -108,15 +108,15 @@ TEST_F(FigureRemarksTest, AnOlderFigureKeepsItsViews) {
         return text("out/view.svg");
     };
     const auto drawing = [](const std::string& svg) { return svg.substr(svg.find("</metadata>")); };
-    const std::string former = drawing(svg_of("relief = \"scene\"\n"));
+    const std::string previous = drawing(svg_of("relief = \"scene\"\n"));
     std::string svg = svg_of("");
-    EXPECT_NE(drawing(svg), former);
+    EXPECT_NE(drawing(svg), previous);
     const std::string version = "fumon:version\">";
     const std::size_t at = svg.find(version) + version.size();
     svg.replace(at, svg.find('<', at) - at, "0.2.0");
     write_text(folder_ / "old.svg", svg);
     ASSERT_EQ(fumon({"again", "old.svg", "-o", "again.svg"}, folder_.path()).status, 0);
-    EXPECT_EQ(drawing(text("again.svg")), former);
+    EXPECT_EQ(drawing(text("again.svg")), previous);
 }
 
 TEST_F(FigureRemarksTest, LimitsBeyondAllDataAreRefused) {

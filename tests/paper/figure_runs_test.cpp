@@ -142,15 +142,15 @@ TEST_F(FigureRunsTest, WhatAKillLeftBesideAStoredRunIsTakenAway) {
     write_scene("pictures.toml", pictures);
     ASSERT_EQ(figure("pictures.toml").status, 0);
     const fs::path run = folder_ / "out/runs" / runs()[0];
-    const fs::path former = run.string() + ".former";
+    const fs::path previous = run.string() + ".former";
     write_text(run.string() + ".lock", "");
-    fs::copy(run, former);
-    write_text(former / "notes.txt", "mine");
+    fs::copy(run, previous);
+    write_text(previous / "notes.txt", "mine");
     ASSERT_EQ(figure("pictures.toml", {"--runs", "out/runs"}, "second").status, 0);
     EXPECT_EQ(runs().size(), 2U);
-    EXPECT_EQ(text("out/runs/" + former.filename().string() + "/notes.txt"), "mine");
-    EXPECT_FALSE(fs::exists(former / "job.json"));
-    fs::remove(former / "notes.txt");
+    EXPECT_EQ(text("out/runs/" + previous.filename().string() + "/notes.txt"), "mine");
+    EXPECT_FALSE(fs::exists(previous / "job.json"));
+    fs::remove(previous / "notes.txt");
     {
         const FileLock others(run.string() + ".lock");
         ASSERT_EQ(figure("pictures.toml").status, 0);

@@ -227,7 +227,7 @@ TEST(Png, KeepsAlpha) {
     EXPECT_EQ(read_png(file), image);
     EXPECT_EQ(read_png_texts(file).front().second, "a");
     EXPECT_NE(pixel_hash(image), opaque);
-    const Image white = laid_on(image, 255);
+    const Image white = composited_on(image, 255);
     EXPECT_FALSE(white.transparent());
     EXPECT_EQ(white.rgb[3], (image.rgb[3] * 242 + 255 * 13 + 127) / 255);
 }

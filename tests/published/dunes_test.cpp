@@ -180,8 +180,8 @@ TEST(PublishedDunes, AFlatBedTakesTheWavelengthOfTheLinearTheory) {
 TEST(PublishedDunes, ALargeConeIsRound) {
     constexpr int side = 260;
     WorkerPool pool;
-    WholeGrid surface(side, side);
-    const WholeGrid floor(side, side);
+    FixedPointGrid surface(side, side);
+    const FixedPointGrid floor(side, side);
     SlopeRelaxation slopes({side, side, 1.0, 1.0, true, true}, {}, pool);
     for (int portion = 0; portion < 20; ++portion) {
         surface(side / 2, side / 2) += to_units(43'000.0);

@@ -71,8 +71,8 @@ TEST(NumberRange, PicturesAreMadeUpToItsEnds) {
             View view = way.view;
             view.look.exaggeration = {"", 1e4};
             if (view.camera.projection == Projection::perspective && cell < 1.0) {
-                view.camera.at = {largest_place, -largest_place, largest_place};
-                view.camera.look_at = {-largest_place, 0.0, 0.0};
+                view.camera.at = {largest_coordinate, -largest_coordinate, largest_coordinate};
+                view.camera.look_at = {-largest_coordinate, 0.0, 0.0};
             }
             Renderer renderer(*context, view, bed, 1, pool);
             EXPECT_EQ(renderer.render(bed).rgb.size(), 768U) << way.name << " cells " << cell;

@@ -37,8 +37,8 @@ class FailingMemory : public ::testing::TestWithParam<Reader> {
         GTEST_SKIP() << "sanitizers have a memory of their own";
 #endif
         // As where a limit may be met: C libraries that crash then are told of in one line, too.
-        getrlimit(RLIMIT_AS, &former_);
-        const rlimit limit{rlim_t{1} << 40, former_.rlim_max};
+        getrlimit(RLIMIT_AS, &previous_);
+        const rlimit limit{rlim_t{1} << 40, previous_.rlim_max};
         setrlimit(RLIMIT_AS, &limit);
         write_text(folder_ / "scene.toml",
                    "[model]\nname = \"sandpile\"\n[grid]\nnx = 12\nny = 10\n[run]\nsteps = 20\n"
@@ -66,7 +66,7 @@ class FailingMemory : public ::testing::TestWithParam<Reader> {
     }
 
     void TearDown() override {
-        setrlimit(RLIMIT_AS, &former_);
+        setrlimit(RLIMIT_AS, &previous_);
     }
 
     [[nodiscard]] Ended run(const Words& words) const {
@@ -92,7 +92,7 @@ class FailingMemory : public ::testing::TestWithParam<Reader> {
     }
 
     ScratchFolder folder_;
-    rlimit former_{RLIM_INFINITY, RLIM_INFINITY};
+    rlimit previous_{RLIM_INFINITY, RLIM_INFINITY};
 };
 
 constexpr std::array<std::string_view, 8> library_lines{

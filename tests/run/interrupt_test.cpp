@@ -5,7 +5,7 @@
 #include <functional>
 #include <thread>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "base/stopwatch.h"
 #include "support/program.h"
 
@@ -38,7 +38,8 @@ TEST(Interrupt, EndsAStepThatLastsForHoursWithinTwoSeconds) {
     program.send(SIGTERM);
     const Ended ended = program.wait();
     EXPECT_EQ(ended.status, 143) << ended.errors;
-    EXPECT_GT(watch.seconds(), 0.5 * patience) << "it waits for the step's end at first";
+    EXPECT_GT(watch.seconds(), 0.5 * cancellation_grace_s)
+        << "it waits for the step's end at first";
     EXPECT_LT(watch.seconds(), 60.0) << "of hours";
     const auto manifest = read_manifest(folder / "out");
     EXPECT_EQ(manifest["status"], "interrupted");

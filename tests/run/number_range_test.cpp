@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
         KeyOfRange{"static", "", "look.low", largest_colour_value},
         KeyOfRange{"static", "", "look.high", largest_colour_value},
         KeyOfRange{"static", "", "camera.distance", 100.0},
-        KeyOfRange{"static", "camera.aperture = 0.1\n", "camera.focus", largest_place},
+        KeyOfRange{"static", "camera.aperture = 0.1\n", "camera.focus", largest_coordinate},
         KeyOfRange{"static", "", "sun.azimuth", 360.0},
         KeyOfRange{"static", "", "look.exaggeration", 1e4}));
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "models/shared/check_finite.h"
 #include "run/bounded_queue.h"
 #include "run/frame_list.h"
@@ -41,9 +41,9 @@ class SpoiledModel : public Model {
     [[nodiscard]] std::vector<StateField> state() const override {
         return {{"bed", bed_.values()}};
     }
-    void carry(StateCarrier& carrier) override {
-        carrier.count("steps", steps_);
-        carrier.values("bed", bed_.values());
+    void serialise(StateArchive& archive) override {
+        archive.count("steps", steps_);
+        archive.values("bed", bed_.values());
     }
 
   private:

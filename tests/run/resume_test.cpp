@@ -191,7 +191,7 @@ TEST_F(ResumeTest, ADamagedOrForeignCheckpointIsRefusedWithTheReason) {
     other.version = "0.0.9";
     {
         CheckpointWriter writer(file);
-        other.carry(writer);
+        other.serialise(writer);
         writer.commit();
     }
     expect_refusal({"run", "--resume", "out"},
@@ -200,7 +200,7 @@ TEST_F(ResumeTest, ADamagedOrForeignCheckpointIsRefusedWithTheReason) {
     other.build.sources = "0123456789abcdef";
     {
         CheckpointWriter writer(file);
-        other.carry(writer);
+        other.serialise(writer);
         writer.commit();
     }
     expect_refusal({"run", "--resume", "out"}, "was written by fumon " FUMON_VERSION

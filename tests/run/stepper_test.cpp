@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "run/terminal/interrupt.h"
 
 namespace fumon::test {
@@ -21,7 +21,7 @@ class CountingModel : public Model {
     void step() override {
         if (steps_ == given_up_at) {
             std::raise(SIGTERM);
-            throw GivenUp();
+            throw Cancelled();
         }
         if (++steps_ == spoiled_at) bed_(1, 1) = std::numeric_limits<double>::quiet_NaN();
     }
@@ -31,7 +31,7 @@ class CountingModel : public Model {
         return {steps_, static_cast<double>(steps_), "steps", bed_, {}, {}};
     }
     [[nodiscard]] std::vector<StateField> state() const override { return {}; }
-    void carry(StateCarrier& carrier) override { carrier.count("steps", steps_); }
+    void serialise(StateArchive& archive) override { archive.count("steps", steps_); }
 
     std::int64_t spoiled_at = -1;
     std::int64_t given_up_at = -1;
@@ -114,14 +114,14 @@ TEST(Stepper, AStepThatIsGivenUpIsShownToNobody) {
     std::string log;
     Witness a("a", 1, log);
     Stepper stepper(model, {&a});
-    EXPECT_FALSE(stepper.gave_up());
+    EXPECT_FALSE(stepper.cancelled());
     EXPECT_EQ(stepper.advance(at_step(5)), SIGTERM);
-    EXPECT_TRUE(stepper.gave_up());
+    EXPECT_TRUE(stepper.cancelled());
     EXPECT_EQ(log, "a0 a>0 a+1 a1 a>1 a+2 a2 a>2 ") << "no checkpoint, no snapshot";
     EXPECT_EQ(model.snapshots, 3);
-    EXPECT_GT(asked_to_stop_at, 0);
+    EXPECT_GT(stop_requested_at_ns, 0);
     clear_interrupt();
-    EXPECT_EQ(asked_to_stop_at, 0);
+    EXPECT_EQ(stop_requested_at_ns, 0);
 }
 
 TEST(Stepper, AStateThatIsNotFiniteIsSeenByNoObserver) {

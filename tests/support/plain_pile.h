@@ -146,14 +146,14 @@ class PlainPile {
     void turn(int& direction, int to, RandomStream& stream) {
         const DirectionRule rule = parameters_.direction;
         const int toward = direction_after(rule, direction, to, HalfStep::toward_incoming);
-        const int former = direction_after(rule, direction, to, HalfStep::toward_former);
+        const int previous = direction_after(rule, direction, to, HalfStep::toward_previous);
         bool stay = false;
-        if (toward != former) {
+        if (toward != previous) {
             ++drawn_;
             stay = parameters_.drop_direction == DropDirection::cycling ? drawn_ % 2 != 0
                                                                         : stream.below(2) != 0;
         }
-        direction = stay ? former : toward;
+        direction = stay ? previous : toward;
     }
 
     Avalanche topple_from(const std::vector<int>& cells, std::int64_t grain) {

@@ -28,9 +28,9 @@ TEST(SweepManifest, ItsOwnTextGivesTheOrderBack) {
     const SweepPlan plan = two_seeds();
     const std::string text = sweep_manifest(plan, {1, 0});
     EXPECT_EQ(listed_runs(text), 2);
-    const FormerSweep former = former_sweep(text, plan);
-    EXPECT_EQ(former.differs, "");
-    EXPECT_EQ(former.order, (std::vector<std::size_t>{1, 0}));
+    const PreviousSweep previous = previous_sweep(text, plan);
+    EXPECT_EQ(previous.differs, "");
+    EXPECT_EQ(previous.order, (std::vector<std::size_t>{1, 0}));
 }
 
 TEST(SweepManifest, DamagedOnesAreNoPartOfAPlan) {
@@ -39,7 +39,7 @@ TEST(SweepManifest, DamagedOnesAreNoPartOfAPlan) {
     for (const std::string& text :
          {std::string(), std::string("[]"), std::string("{\"runs\": [1]}"),
           "{\"fumon\": \"" FUMON_VERSION "\", \"runs\": [\"x\"], \"over\": " + deep_list() + "}"}) {
-        EXPECT_EQ(former_sweep(text, plan).differs, damaged) << text.substr(0, 80);
+        EXPECT_EQ(previous_sweep(text, plan).differs, damaged) << text.substr(0, 80);
         EXPECT_EQ(listed_runs(text), -1) << text.substr(0, 80);
     }
 }
@@ -50,7 +50,7 @@ TEST(SweepManifest, AxesThatAreOnlyCalledAsThePlansAreDamage) {
                              "\", \"scene\": {\"run\": {\"steps\": 10}}, \"inputs\": [], "
                              "\"seeds\": {\"first\": 1, \"last\": 2}, \"runs\": [\"x\"], "
                              "\"over\": [{\"keys\": [\"no key\"], \"values\": [\"1\"]}]}";
-    EXPECT_EQ(former_sweep(text, plan).differs, "holds a sweep whose sweep.json is damaged");
+    EXPECT_EQ(previous_sweep(text, plan).differs, "holds a sweep whose sweep.json is damaged");
 }
 
 TEST(SweepManifest, ARunsRecordIsOfThatRun) {

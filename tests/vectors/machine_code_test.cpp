@@ -58,7 +58,7 @@ constexpr std::array loops{"tanh_of_differences(",
                            "through_faces(",
                            "settle_row(",
                            "concentrate_row(",
-                           "carry_row(",
+                           "advect_load_row(",
                            "pick_up<",
                            "hold_above_row(",
                            "cross_rows(",
@@ -73,7 +73,7 @@ constexpr std::array loops{"tanh_of_differences(",
                            "advance_schiller_naumann("};
 /// Whose vectors hold four numbers at most.
 constexpr std::array loops_of_four{"butterflies_of_four(", "butterflies_of_five(", "butterflies(",
-                                   "turn_points(",         "part_rows(",           "join_rows(",
+                                   "rotate_points(",       "split_spectra(",       "merge_spectra(",
                                    "eliminate(",           "substitute_back("};
 
 #ifdef FUMON_HAS_PICTURES

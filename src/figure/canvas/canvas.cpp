@@ -71,7 +71,7 @@ struct OpaquePixels {
 };
 
 /// What is seen through is as if on white.
-OpaquePixels laid_on_white(const Image& image, std::span<const std::uint8_t> opacity) {
+OpaquePixels composited_on_white(const Image& image, std::span<const std::uint8_t> opacity) {
     OpaquePixels flat{image, {opacity.begin(), opacity.end()}};
     for (std::size_t i = 0; i < opacity.size(); ++i) {
         if (opacity[i] == 0) continue;
@@ -159,7 +159,8 @@ void Canvas::draw(const Image& image, const CanvasBox& box, std::span<const std:
     if (image.width < 1 || image.height < 1 || !(box.width > 0.0) || !(box.height > 0.0)) return;
     const int copies = parts_->copies_of(image, box);
     const bool without_opacity = parts_->format == PageFormat::eps && !opacity.empty();
-    const OpaquePixels flat = without_opacity ? laid_on_white(image, opacity) : OpaquePixels();
+    const OpaquePixels flat =
+        without_opacity ? composited_on_white(image, opacity) : OpaquePixels();
     const Surface pixels = without_opacity ? cairo_image(flat.image, flat.opacity, copies)
                                            : cairo_image(image, opacity, copies);
     const Pattern pattern(cairo_pattern_create_for_surface(pixels.get()));

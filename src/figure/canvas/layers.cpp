@@ -32,7 +32,7 @@ void blur_line(float* line, int count, std::ptrdiff_t stride, int radius,
 
 }  // namespace
 
-void lay_over(Image& image, const CanvasLayer& layer, int left, int top, double opacity) {
+void composite_over(Image& image, const CanvasLayer& layer, int left, int top, double opacity) {
     const auto share =
         static_cast<std::uint32_t>(std::lround(255.0 * std::clamp(opacity, 0.0, 1.0)));
     if (share == 0) return;

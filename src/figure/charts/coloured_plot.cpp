@@ -5,7 +5,7 @@
 namespace fumon {
 
 ColouredPlotPanel::ColouredPlotPanel(Plot plot, std::vector<std::vector<double>> values,
-                                     ColourScale colours, BarPlace bar)
+                                     ColourScale colours, BarPosition bar)
     : plot_(std::move(plot)), values_(std::move(values)), colours_(std::move(colours)), bar_(bar) {
     const PlotPanel checked(plot_);
 }

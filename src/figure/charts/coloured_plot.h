@@ -13,7 +13,7 @@ class ColouredPlotPanel : public PanelContent {
     /// `values[n]` are those of series n, as many as its points, or none where it has its own ink.
     /// Throws what PlotPanel throws.
     ColouredPlotPanel(Plot plot, std::vector<std::vector<double>> values, ColourScale colours,
-                      BarPlace bar);
+                      BarPosition bar);
 
     [[nodiscard]] PanelMargins margins(const Canvas& canvas, double width,
                                        double height) const override;
@@ -21,13 +21,13 @@ class ColouredPlotPanel : public PanelContent {
 
     /// To be changed before it is drawn.
     ColourScale& colours() { return colours_; }
-    BarPlace& colour_bar() { return bar_; }
+    BarPosition& colour_bar() { return bar_; }
 
   private:
     Plot plot_;
     std::vector<std::vector<double>> values_;
     ColourScale colours_;
-    BarPlace bar_;
+    BarPosition bar_;
 };
 
 }  // namespace fumon

@@ -35,7 +35,7 @@ struct HeatMap {
     std::vector<std::string> texts;  ///< of the cells, row by row from the bottom; empty: none
     ColourScale colours;
     std::vector<double> bounds;  ///< of the colours' classes, where it has some
-    BarPlace bar = BarPlace::right;
+    BarPosition bar = BarPosition::right;
     /// Lines between the middles of cells, which are whole numbers.
     std::vector<ContourLine> lines;
     bool name_lines = false;  ///< their values stand on them
@@ -60,7 +60,7 @@ class HeatMapPanel : public PanelContent {
 
     /// To be changed before it is drawn.
     ColourScale& colours() { return map_.colours; }
-    BarPlace& colour_bar() { return map_.bar; }
+    BarPosition& colour_bar() { return map_.bar; }
     bool& x_axis() { return map_.x.tick_labels; }
     bool& y_axis() { return map_.y.tick_labels; }
 

@@ -27,7 +27,7 @@ void FrameContours::draw(Image& image, const OverlayFrame& frame,
             ? *frame.camera
             : above_ground(camera_at_step(scene_.view, block_, snapshot.step, scene_.run.steps),
                            block, snapshot);
-    const std::vector<CanvasContour> lines = seen_contours(
+    const std::vector<CanvasContour> lines = visible_contours(
         *contours, snapshot,
         {camera,
          block,
@@ -36,7 +36,7 @@ void FrameContours::draw(Image& image, const OverlayFrame& frame,
     draw_contours(canvas,
                   {0.0, 0.0, static_cast<double>(image.width), static_cast<double>(image.height)},
                   lines, contours->interval, taken);
-    lay_over(image, canvas.layer(), 0, 0, opacity);
+    composite_over(image, canvas.layer(), 0, 0, opacity);
 }
 
 }  // namespace fumon

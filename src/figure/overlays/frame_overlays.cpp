@@ -82,10 +82,9 @@ std::size_t first_misfit(std::span<const CanvasBox> boxes, double width, double 
     return boxes.size();
 }
 
-constexpr double plate_padding = 0.45;     // of the plate around an overlay, font sizes
-constexpr double rounding_of_plate = 0.3;  // radius of the plate's corners
-constexpr double gap_of_plates =
-    0.55;  // between plates, and from the edges, of the usual font size
+constexpr double plate_padding = 0.45;       // of the plate around an overlay, font sizes
+constexpr double plate_corner_radius = 0.3;  // radius of the plate's corners
+constexpr double plate_gap = 0.55;  // between plates, and from the edges, of the usual font size
 constexpr double least_font = 6.0;
 constexpr double small_texts = 0.75;  // of an overlay that fills the picture
 constexpr double shrinking = 0.93;    // from one try to the next
@@ -133,12 +132,12 @@ struct FrameOverlays::DrawnOverlay {
     CanvasLayer layer;
 
     void draw(Image& image, const PlacedOverlay& place, const OverlayFrame& frame, double of_all) {
-        if (std::string look_now = overlay->look_in(frame); look != look_now) {
-            look = std::move(look_now);
+        if (std::string appearance_now = overlay->appearance_in(frame); look != appearance_now) {
+            look = std::move(appearance_now);
             layer = drawn_layer(place, frame);
         }
-        lay_over(image, layer, static_cast<int>(place.box.x), static_cast<int>(place.box.y),
-                 of_all);
+        composite_over(image, layer, static_cast<int>(place.box.x), static_cast<int>(place.box.y),
+                       of_all);
     }
 
   private:
@@ -151,7 +150,7 @@ struct FrameOverlays::DrawnOverlay {
         const double room = fills ? 0.0 : padding;
         if (opacity > 0.0 && !fills) {
             draw_rounded(canvas, place.box.width, place.box.height,
-                         rounding_of_plate * place.font_size, {1.0, 1.0, 1.0, opacity});
+                         plate_corner_radius * place.font_size, {1.0, 1.0, 1.0, opacity});
         }
         overlay->draw(canvas,
                       {room, room, place.box.width - 2.0 * room, place.box.height - 2.0 * room},
@@ -164,7 +163,7 @@ struct FrameOverlays::DrawnOverlay {
 
 FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const OverlayStyle& style)
     : words_(picture_words(scene.view.image)) {
-    const Speaking speaking(words_);
+    const LanguageScope speaking(words_);
     const std::vector<OverlaySettings>& overlays = scene.view.overlays;
     const bool flat = first.section && scene.view.look.mode == ViewMode::figure;
     const std::optional<Snapshot> shown = shown_snapshot(first, scene.view);
@@ -203,7 +202,7 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
             pieces.push_back({settings.corner, {size.width + room, size.height + room}});
         }
         const auto boxes =
-            stacked_boxes(pieces, width, height, std::max(gap_of_plates * tried, style.edge));
+            stacked_boxes(pieces, width, height, std::max(plate_gap * tried, style.edge));
         const std::size_t misfit = first_misfit(boxes, width, height);
         if (misfit == boxes.size()) {
             for (std::size_t i = 0; i < boxes.size(); ++i) placed_[i].box = boxes[i];
@@ -211,7 +210,7 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
                 const WordOrReal& size = overlays[over_all_placed_[i].number].font_size;
                 over_all_placed_[i].font_size = size.is_word() ? small_texts * usual : size.value;
                 over_all_placed_[i].box = {0.0, 0.0, width, height};
-                over_all_[i].overlay->stand_among(boxes, over_all_[i].opacity);
+                over_all_[i].overlay->avoid_boxes(boxes, over_all_[i].opacity);
             }
             return;
         }
@@ -228,7 +227,7 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
 FrameOverlays::~FrameOverlays() = default;
 
 void FrameOverlays::draw(Image& image, const OverlayFrame& frame, double opacity) {
-    const Speaking speaking(words_);
+    const LanguageScope speaking(words_);
     if (contours_) {
         std::vector<CanvasBox> taken;
         for (const PlacedOverlay& place : placed_) taken.push_back(place.box);

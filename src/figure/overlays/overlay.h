@@ -54,14 +54,14 @@ class Overlay {
     [[nodiscard]] virtual bool fills_picture() const { return false; }
     /// Of one that fills the picture: boxes that its texts keep away from, and the opacity of the
     /// pale ground behind each of them.
-    virtual void stand_among(const std::vector<CanvasBox>& taken, double plate) {
+    virtual void avoid_boxes(const std::vector<CanvasBox>& taken, double plate) {
         (void)taken;
         (void)plate;
     }
     /// What it takes at the canvas's font size: the same for all frames, so that nothing moves.
     [[nodiscard]] virtual FurnitureSize size(const Canvas& canvas) const = 0;
     /// The same text for frames over which it looks the same.
-    [[nodiscard]] virtual std::string look_in(const OverlayFrame& frame) const = 0;
+    [[nodiscard]] virtual std::string appearance_in(const OverlayFrame& frame) const = 0;
     /// Draws it into `box`, which has its size.
     virtual void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const = 0;
 };

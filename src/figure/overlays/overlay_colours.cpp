@@ -70,7 +70,7 @@ class ColourBarOverlay : public Overlay {
                                                         scale_, BarDirection::level);
         return {length_ + 2.0 * ends * font, margins.above + thick * font + margins.below};
     }
-    [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
+    [[nodiscard]] std::string appearance_in(const OverlayFrame& frame) const override {
         const FrameColourRange& colours = frame.colours;
         return fmt::format("{} {} {} {}", colours.low, colours.high, colours.values_below,
                            colours.values_above);

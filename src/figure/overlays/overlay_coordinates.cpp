@@ -37,14 +37,14 @@ class CoordinatesOverlay : public Overlay {
           length_y_(on.first.bed.ny() * on.first.scale.dy) {}
 
     [[nodiscard]] bool fills_picture() const override { return true; }
-    void stand_among(const std::vector<CanvasBox>& taken, double plate) override {
+    void avoid_boxes(const std::vector<CanvasBox>& taken, double plate) override {
         taken_ = taken;
         plate_ = plate;
     }
     [[nodiscard]] FurnitureSize size(const Canvas&) const override { return {}; }
 
-    [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
-        const auto [block, camera] = seen_in(frame);
+    [[nodiscard]] std::string appearance_in(const OverlayFrame& frame) const override {
+        const auto [block, camera] = camera_in(frame);
         const auto text = [](const glm::dvec3& v) {
             return fmt::format("{} {} {} ", v.x, v.y, v.z);
         };
@@ -53,7 +53,7 @@ class CoordinatesOverlay : public Overlay {
     }
 
     void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const override {
-        const auto [block, camera] = seen_in(frame);
+        const auto [block, camera] = camera_in(frame);
         const ViewProjection view{camera, block, box};
         if (is_map(camera)) {
             draw_around_map(canvas, view);
@@ -67,7 +67,7 @@ class CoordinatesOverlay : public Overlay {
         return !camera.perspective && camera.forward.z < -1.0 + 1e-9 && camera.up.y > 1.0 - 1e-9;
     }
 
-    [[nodiscard]] std::pair<Block, Camera> seen_in(const OverlayFrame& frame) const {
+    [[nodiscard]] std::pair<Block, Camera> camera_in(const OverlayFrame& frame) const {
         const std::optional<Snapshot> reshaped = shown_snapshot(frame.snapshot, view_);
         const Snapshot& snapshot = reshaped ? *reshaped : frame.snapshot;
         const Block block = block_of_frame(block_, view_.look, shown_, snapshot);

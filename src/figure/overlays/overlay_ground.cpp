@@ -36,7 +36,7 @@ class ScaleBarOverlay : public Overlay {
         if (camera_.perspective) widest.text += word(" at the middle");
         return scale_bar_size(canvas, widest);
     }
-    [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
+    [[nodiscard]] std::string appearance_in(const OverlayFrame& frame) const override {
         const ScaleBar shown = bar_in(frame);
         return moves_ ? fmt::format("{} {}", shown.text, shown.drawn) : "";
     }
@@ -108,7 +108,7 @@ class ArrowOverlay : public Overlay {
         return {sizes.arrow.width + apart * font + sizes.compass.width,
                 std::max(sizes.arrow.height, sizes.compass.height)};
     }
-    [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
+    [[nodiscard]] std::string appearance_in(const OverlayFrame& frame) const override {
         const GroundAxes axes = axes_of(frame);
         const std::vector<GroundWind> winds = winds_in(frame);
         const auto blowing = std::ranges::find(winds, true, &GroundWind::blows) - winds.begin();
@@ -160,13 +160,13 @@ class ArrowOverlay : public Overlay {
     }
 
     [[nodiscard]] GroundAxes axes_of(const OverlayFrame& frame) const {
-        if (frame.camera != nullptr && !flat_) return axes_seen(levelled(*frame.camera));
+        if (frame.camera != nullptr && !flat_) return visible_axes_of(levelled(*frame.camera));
         return axes_at(frame.snapshot.step);
     }
 
     [[nodiscard]] GroundAxes axes_at(std::int64_t step) const {
         if (flat_) return map_axes();
-        return axes_seen(camera_at_step(view_, block_, step, last_step_));
+        return visible_axes_of(camera_at_step(view_, block_, step, last_step_));
     }
 
     /// From above at any azimuth, where arrows are longest.
@@ -178,7 +178,7 @@ class ArrowOverlay : public Overlay {
         settings.distance = 1.0;
         const double aspect =
             static_cast<double>(view_.image.width) / static_cast<double>(view_.image.height);
-        return axes_seen(place_camera(settings, block_, aspect, 0.0));
+        return visible_axes_of(place_camera(settings, block_, aspect, 0.0));
     }
 
     /// As the camera sees directions on the ground, wherever it stands; from low over the ground,
@@ -201,11 +201,11 @@ class ArrowOverlay : public Overlay {
         return level;
     }
 
-    [[nodiscard]] GroundAxes axes_seen(const Camera& camera) const {
-        return seen_axes({camera,
-                          block_,
-                          {0.0, 0.0, static_cast<double>(view_.image.width),
-                           static_cast<double>(view_.image.height)}});
+    [[nodiscard]] GroundAxes visible_axes_of(const Camera& camera) const {
+        return visible_axes({camera,
+                             block_,
+                             {0.0, 0.0, static_cast<double>(view_.image.width),
+                              static_cast<double>(view_.image.height)}});
     }
 
     [[nodiscard]] Sizes sizes_over_run(const Canvas& canvas) const {

@@ -23,9 +23,9 @@ namespace fumon {
 
 namespace {
 
-constexpr double rim_of_map = 0.16;        // of its longer side, for cameras that stand outside
-constexpr double reach_of_sight = 0.34;    // of its longer side
-constexpr double least_level_sight = 0.2;  // of a look's length: steeper ones have no direction
+constexpr double map_rim_share = 0.16;       // of its longer side, for cameras that stand outside
+constexpr double sight_length_share = 0.34;  // of its longer side
+constexpr double least_level_sight = 0.2;    // of a look's length: steeper ones have no direction
 constexpr std::array<double, 3> sand{232.0, 215.0, 184.0};
 constexpr Ink sight_ink{0.75, 0.16, 0.08, 0.30};
 constexpr Ink camera_ink{0.75, 0.16, 0.08, 1.0};
@@ -122,7 +122,7 @@ class InsetMapOverlay : public Overlay {
         return {length_ * block_.width_x + 2.0 * rim(), length_ * block_.width_y + 2.0 * rim()};
     }
 
-    [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
+    [[nodiscard]] std::string appearance_in(const OverlayFrame& frame) const override {
         const Camera camera = camera_of_frame(frame);
         return fmt::format("{} {:.5f} {:.5f} {:.5f} {:.5f} {:.5f}", frame.snapshot.step,
                            camera.eye.x, camera.eye.y, camera.forward.x, camera.forward.y,
@@ -148,7 +148,7 @@ class InsetMapOverlay : public Overlay {
     }
 
   private:
-    [[nodiscard]] double rim() const { return goes_on_ ? 0.0 : rim_of_map * length_; }
+    [[nodiscard]] double rim() const { return goes_on_ ? 0.0 : map_rim_share * length_; }
 
     [[nodiscard]] Camera camera_of_frame(const OverlayFrame& frame) const {
         if (frame.camera != nullptr) return *frame.camera;
@@ -177,7 +177,7 @@ class InsetMapOverlay : public Overlay {
                 const glm::dvec2 way =
                     glm::normalize(glm::normalize(ahead) +
                                    half * static_cast<double>(i) / rays * glm::dvec2(camera.right));
-                const double reach = reach_of_sight * length_;
+                const double reach = sight_length_share * length_;
                 wedge.push_back({std::clamp(at.x + reach * way.x, box.x, box.right()),
                                  std::clamp(at.y - reach * way.y, box.y, box.bottom())});
             }

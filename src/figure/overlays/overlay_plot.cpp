@@ -13,14 +13,14 @@
 #include "base/quantity_text.h"
 #include "figure/overlays/overlay_text.h"
 #include "figure/words/words.h"
-#include "scene/lives_in_metres.h"
+#include "scene/uses_metres.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr double plot_text = 0.8;       // of the overlays' font size
-constexpr double height_of_plot = 0.6;  // of its width
+constexpr double plot_text = 0.8;          // of the overlays' font size
+constexpr double plot_height_share = 0.6;  // of its width
 constexpr Ink curve{0.0, 0.28, 0.55, 1.0};
 
 /// The smallest round number not below a positive one.
@@ -60,7 +60,7 @@ class LivePlot : public Overlay {
                                          : times_.end.value_or(on.end_time.value_or(0.0))),
           scene_(on.scene) {
         MeasureSuite suite(measured_landform(on.first), on.first,
-                           {on.scene.output.channel_area, lives_in_metres(on.scene)});
+                           {on.scene.output.channel_area, uses_metres(on.scene)});
         const auto columns = measured_columns(suite.columns(), on.first);
         std::vector<std::string> names;
         names.reserve(columns.size());
@@ -92,9 +92,9 @@ class LivePlot : public Overlay {
         // Where a small picture leaves no room for the axes, the plot cannot be smaller.
         const double font = plot_text * canvas.font_size();
         return {std::max(width_, least_width * font),
-                std::max(height_of_plot * width_, least_height * font)};
+                std::max(plot_height_share * width_, least_height * font)};
     }
-    [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
+    [[nodiscard]] std::string appearance_in(const OverlayFrame& frame) const override {
         const MeasuredColumn* column = frame.rows.find(settings_.y);
         return fmt::format("{}", column == nullptr ? 0 : column->values.size());
     }
@@ -156,7 +156,7 @@ std::pair<double, double> growing_range(std::span<const double> values) {
 
 Plot live_plot(const OverlaySettings& settings, const MeasuredRows& rows, double run_end) {
     Plot plot;
-    plot.legend = LegendPlace::none;
+    plot.legend = LegendPosition::none;
     plot.x.low = plot.y.low = 0.0;
     plot.x.high = plot.y.high = 1.0;
     const MeasuredColumn* x = rows.find(settings.x);

@@ -92,11 +92,11 @@ class TextOverlay : public Overlay {
         }
         return most;
     }
-    [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
+    [[nodiscard]] std::string appearance_in(const OverlayFrame& frame) const override {
         return filled_text(text_, scene_, times_, frame.snapshot.step, frame.snapshot.time);
     }
     void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const override {
-        const std::string text = look_in(frame);
+        const std::string text = appearance_in(frame);
         const auto [width, height] = canvas.text_size(text, text_size_, bold_);
         // A frame beyond the scene's end may say more than any that the plate was measured for.
         const double fits =
@@ -143,7 +143,9 @@ class ParameterLine : public Overlay {
         const auto size = canvas.text_size(broken(canvas), parameter_text);
         return {size[0], size[1]};
     }
-    [[nodiscard]] std::string look_in(const OverlayFrame& /*frame*/) const override { return ""; }
+    [[nodiscard]] std::string appearance_in(const OverlayFrame& /*frame*/) const override {
+        return "";
+    }
     void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& /*frame*/) const override {
         canvas.write(broken(canvas), {box.x, box.y}, {0.0, 0.0}, black_ink, parameter_text);
     }

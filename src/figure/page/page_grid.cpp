@@ -14,7 +14,7 @@ namespace {
 
 using Cells = std::set<std::pair<int, int>>;
 
-bool is_free(const Cells& taken, const GridPlace& place) {
+bool is_free(const Cells& taken, const GridSpan& place) {
     for (int row = place.row; row <= place.last_row(); ++row) {
         for (int column = place.column; column <= place.last_column(); ++column) {
             if (taken.contains({row, column})) return false;
@@ -23,7 +23,7 @@ bool is_free(const Cells& taken, const GridPlace& place) {
     return true;
 }
 
-void take(Cells& taken, const GridPlace& place) {
+void take(Cells& taken, const GridSpan& place) {
     for (int row = place.row; row <= place.last_row(); ++row) {
         for (int column = place.column; column <= place.last_column(); ++column)
             taken.emplace(row, column);
@@ -32,10 +32,10 @@ void take(Cells& taken, const GridPlace& place) {
 
 }  // namespace
 
-std::vector<GridPlace> grid_places(const Page& page) {
+std::vector<GridSpan> grid_spans(const Page& page) {
     if (page.panels.empty()) throw InputError("a page has no panels");
     if (page.columns < 1) throw InputError("a page has at least 1 column");
-    std::vector<GridPlace> places;
+    std::vector<GridSpan> places;
     Cells taken;
     for (std::size_t n = 0; n < page.panels.size(); ++n) {
         const PagePanel& panel = page.panels[n];
@@ -47,8 +47,8 @@ std::vector<GridPlace> grid_places(const Page& page) {
             std::max(panel.column, 0) + panel.columns > page.columns)
             throw InputError(fmt::format("panel {} does not stand in the page's {} columns",
                                          panel_name(page, n), page.columns));
-        GridPlace place{std::max(panel.row, 0), std::max(panel.column, 0), panel.rows,
-                        panel.columns};
+        GridSpan place{std::max(panel.row, 0), std::max(panel.column, 0), panel.rows,
+                       panel.columns};
         while (automatic && !is_free(taken, place)) {
             if (++place.column + place.columns <= page.columns) continue;
             place.column = 0;

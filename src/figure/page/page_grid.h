@@ -8,7 +8,7 @@
 namespace fumon {
 
 /// The rows and columns of a page's grid that a panel takes.
-struct GridPlace {
+struct GridSpan {
     int row = 0;
     int column = 0;
     int rows = 1;
@@ -19,7 +19,7 @@ struct GridPlace {
 };
 
 /// Where every panel stands. Throws InputError where a place is outside the grid or taken.
-std::vector<GridPlace> grid_places(const Page& page);
+std::vector<GridSpan> grid_spans(const Page& page);
 
 /// "(a)", "(b)" … "(z)", "(aa)" …
 std::string panel_letter(std::size_t n);

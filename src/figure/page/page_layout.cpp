@@ -68,10 +68,10 @@ class Solver {
     explicit Solver(const Page& page)
         : page_(page),
           canvas_(PageFormat::pdf, 1.0, 1.0, 72.0, page.font_size),
-          places_(grid_places(page)),
+          places_(grid_spans(page)),
           margins_(page.panels.size()) {
         canvas_.set_line_width(page.line_width);
-        for (const GridPlace& place : places_) rows_ = std::max(rows_, place.last_row() + 1);
+        for (const GridSpan& place : places_) rows_ = std::max(rows_, place.last_row() + 1);
     }
 
     PageLayout solve() {
@@ -131,10 +131,10 @@ class Solver {
         }
         return length;
     }
-    [[nodiscard]] double width_of(const GridPlace& place) const {
+    [[nodiscard]] double width_of(const GridSpan& place) const {
         return spanned(widths_, left_, right_, page_.column_gap, place.column, place.last_column());
     }
-    [[nodiscard]] double height_of(const GridPlace& place) const {
+    [[nodiscard]] double height_of(const GridSpan& place) const {
         return spanned(heights_, above_, below_, page_.row_gap, place.row, place.last_row());
     }
 
@@ -162,7 +162,7 @@ class Solver {
     /// narrow ones, and flatter.
     [[nodiscard]] int fewest_columns(std::size_t row) const {
         int fewest = page_.columns;
-        for (const GridPlace& place : places_) {
+        for (const GridSpan& place : places_) {
             if (place.rows == 1 && static_cast<std::size_t>(place.row) == row)
                 fewest = std::min(fewest, place.columns);
         }
@@ -283,8 +283,8 @@ class Solver {
         layout_.frames.clear();
         layout_.heading_widths.clear();
         for (std::size_t n = 0; n < places_.size(); ++n) {
-            const GridPlace& place = places_[n];
-            const GridPlace before{0, 0, place.row + 1, place.column + 1};
+            const GridSpan& place = places_[n];
+            const GridSpan before{0, 0, place.row + 1, place.column + 1};
             const auto column = static_cast<std::size_t>(place.column);
             const auto row = static_cast<std::size_t>(place.row);
             const CanvasBox cell{left + left_[0] + width_of(before) - widths_[column],
@@ -354,7 +354,7 @@ class Solver {
 
     const Page& page_;
     Canvas canvas_;  ///< to measure texts on
-    std::vector<GridPlace> places_;
+    std::vector<GridSpan> places_;
     std::vector<PanelMargins> margins_;  ///< per panel, with its heading
     int rows_ = 0;
     Lengths left_;

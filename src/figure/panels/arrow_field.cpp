@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/elementary_angle.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 #include "figure/canvas/picture_inks.h"
 #include "figure/panels/scale_bar.h"
 
@@ -48,8 +48,8 @@ ArrowGrid arrow_grid(const Canvas& canvas, const CanvasBox& frame, const ArrowFi
     constexpr int most_arrows = 4096;  // along a side
     const double font = canvas.font_size();
     ArrowGrid grid;
-    grid.columns = whole_within(frame.width / (field.apart_x * font), 4, most_arrows);
-    grid.rows = whole_within(frame.height / (field.apart_y * font), 2, most_arrows);
+    grid.columns = truncated_within(frame.width / (field.apart_x * font), 4, most_arrows);
+    grid.rows = truncated_within(frame.height / (field.apart_y * font), 2, most_arrows);
     grid.units_per_speed = longest * frame.width / grid.columns / field.fastest;
     return grid;
 }

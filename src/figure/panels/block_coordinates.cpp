@@ -85,19 +85,20 @@ CanvasPoint outward_of(const ViewProjection& view, const Edge& edge, double shar
 }
 
 /// An edge at a place along x or y, and the share of it there.
-struct PlaceOnEdge {
+struct EdgePosition {
     const Edge* edge;
     double share;
 };
 
-std::optional<PlaceOnEdge> place_on(const std::vector<Edge>& edges, bool east, double place) {
+std::optional<EdgePosition> position_on_edge(const std::vector<Edge>& edges, bool east,
+                                             double place) {
     for (const Edge& edge : edges) {
         if (!edge.shows(east)) continue;
         const double from = east ? edge.from.x : edge.from.y;
         const double to = east ? edge.to.x : edge.to.y;
         const double share = (place - from) / (to - from);
         constexpr double rounding = 1e-9;
-        if (share >= -rounding && share <= 1.0 + rounding) return PlaceOnEdge{&edge, share};
+        if (share >= -rounding && share <= 1.0 + rounding) return EdgePosition{&edge, share};
     }
     return std::nullopt;
 }
@@ -145,7 +146,7 @@ BlockCoordinates block_coordinates(const ViewProjection& view, const WorldScale&
         const double length = east ? length_x : length_y;
         const double width = east ? view.block.width_x : view.block.width_y;
         const auto found = [=](double place) {
-            return place_on(edges, east, (place / length - 0.5) * width);
+            return position_on_edge(edges, east, (place / length - 0.5) * width);
         };
         CoordinateAxis axis{CoordinateScale(scale, east ? CoordinateScale::Axis::east
                                                         : CoordinateScale::Axis::north),

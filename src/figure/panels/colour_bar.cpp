@@ -141,9 +141,10 @@ Image gradient(const ColourScale& scale, BarDirection direction) {
     return image;
 }
 
-CanvasBox placed_bar(const Canvas& canvas, const CanvasBox& frame, double below, BarPlace place) {
+CanvasBox placed_bar(const Canvas& canvas, const CanvasBox& frame, double below,
+                     BarPosition place) {
     const double font = canvas.font_size();
-    if (place == BarPlace::below)
+    if (place == BarPosition::below)
         return {frame.x, frame.bottom() + below + to_bar_below * font, frame.width,
                 bar_width * font};
     return {frame.right() + from_frame * font, frame.y, bar_width * font, frame.height};
@@ -220,11 +221,11 @@ void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& sc
     }
 }
 
-PanelMargins with_colour_bar(const Canvas& canvas, const PanelMargins& margins, BarPlace place,
+PanelMargins with_colour_bar(const Canvas& canvas, const PanelMargins& margins, BarPosition place,
                              const ColourScale& scale, double width, double height) {
-    if (place == BarPlace::none) return margins;
+    if (place == BarPosition::none) return margins;
     const CanvasBox bar = placed_bar(canvas, {0.0, 0.0, width, height}, margins.below, place);
-    const bool below = place == BarPlace::below;
+    const bool below = place == BarPosition::below;
     PanelMargins room =
         colour_bar_margins(canvas, bar, scale, below ? BarDirection::level : BarDirection::upright);
     const double triangle = triangle_length * (below ? bar.height : bar.width);
@@ -237,10 +238,10 @@ PanelMargins with_colour_bar(const Canvas& canvas, const PanelMargins& margins, 
 }
 
 void draw_placed_bar(Canvas& canvas, const CanvasBox& frame, const PanelMargins& margins,
-                     BarPlace place, const ColourScale& scale) {
-    if (place == BarPlace::none) return;
+                     BarPosition place, const ColourScale& scale) {
+    if (place == BarPosition::none) return;
     draw_colour_bar(canvas, placed_bar(canvas, frame, margins.below, place), scale,
-                    place == BarPlace::below ? BarDirection::level : BarDirection::upright);
+                    place == BarPosition::below ? BarDirection::level : BarDirection::upright);
 }
 
 }  // namespace fumon

@@ -38,15 +38,15 @@ void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& sc
                      BarDirection direction, const Ink& ink = {});
 
 /// Where the colour bar of a picture stands.
-enum class BarPlace { none, right, below };
+enum class BarPosition { none, right, below };
 
 /// The margins of a frame with the bar of its colours: right of the frame and as high as it, or
 /// as wide as it beneath all that stands below it. `margins` are those without the bar.
-PanelMargins with_colour_bar(const Canvas& canvas, const PanelMargins& margins, BarPlace place,
+PanelMargins with_colour_bar(const Canvas& canvas, const PanelMargins& margins, BarPosition place,
                              const ColourScale& scale, double width, double height);
 
 /// Draws that bar.
 void draw_placed_bar(Canvas& canvas, const CanvasBox& frame, const PanelMargins& margins,
-                     BarPlace place, const ColourScale& scale);
+                     BarPosition place, const ColourScale& scale);
 
 }  // namespace fumon

@@ -15,7 +15,7 @@
 #include "base/elementary.h"
 #include "base/elementary_angle.h"
 #include "base/error.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 #include "render/view/terrain_occlusion.h"
 
 namespace fumon {
@@ -80,7 +80,7 @@ class MeasuredLine {
 };
 
 /// Where a label stands on its line: in a gap between two lengths.
-struct LabelPlace {
+struct LabelGap {
     double from = 0.0;
     double to = 0.0;
     CanvasPoint middle;
@@ -93,24 +93,25 @@ class Labels {
         : canvas_(canvas), frame_(frame), taken_(std::move(taken)) {}
 
     /// One about every label_every font sizes, each where the line is straightest.
-    std::vector<LabelPlace> on(const MeasuredLine& line, const std::string& text) {
+    std::vector<LabelGap> on(const MeasuredLine& line, const std::string& text) {
         const auto [width, height] = canvas_.text_size(text, label_size);
         const double gap = width + 2.0 * label_room * canvas_.font_size();
-        std::vector<LabelPlace> found;
+        std::vector<LabelGap> found;
         const double length = line.length();
         if (length < 2.0 * gap) return found;
-        const int count = whole_within(length / (label_every * canvas_.font_size()), 1, 1 << 20);
+        const int count =
+            truncated_within(length / (label_every * canvas_.font_size()), 1, 1 << 20);
         for (int i = 0; i < count; ++i) {
             const double begin = length * i / count;
             const double end = length * (i + 1) / count - gap;
-            std::optional<LabelPlace> best;
+            std::optional<LabelGap> best;
             double best_chord = straight * gap;
             for (double from = begin; from <= end; from += 0.25 * gap) {
                 const CanvasPoint a = line.at(from);
                 const CanvasPoint b = line.at(from + gap);
                 const double chord = distance(a, b);
                 if (chord < best_chord) continue;
-                const LabelPlace place = place_between(a, b, from, from + gap);
+                const LabelGap place = place_between(a, b, from, from + gap);
                 if (!free(box_of(place, width, height))) continue;
                 best = place;
                 best_chord = chord * (1.0 + 1e-9);
@@ -123,8 +124,8 @@ class Labels {
     }
 
   private:
-    static LabelPlace place_between(const CanvasPoint& a, const CanvasPoint& b, double from,
-                                    double to) {
+    static LabelGap place_between(const CanvasPoint& a, const CanvasPoint& b, double from,
+                                  double to) {
         double angle = elementary::atan2(b.y - a.y, b.x - a.x);
         constexpr double half = 0.5 * std::numbers::pi;
         if (angle > half) angle -= std::numbers::pi;
@@ -132,7 +133,7 @@ class Labels {
         return {from, to, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, angle};
     }
 
-    static CanvasBox box_of(const LabelPlace& place, double width, double height) {
+    static CanvasBox box_of(const LabelGap& place, double width, double height) {
         const double across = std::abs(elementary::cos(place.angle));
         const double down = std::abs(elementary::sin(place.angle));
         const double wide = across * width + down * height;
@@ -201,8 +202,8 @@ std::optional<GroundContours> ground_contours(const WordOrReal& asked, const Sna
     return contours;
 }
 
-std::vector<CanvasContour> seen_contours(const GroundContours& contours, const Snapshot& snapshot,
-                                         const ViewProjection& view) {
+std::vector<CanvasContour> visible_contours(const GroundContours& contours,
+                                            const Snapshot& snapshot, const ViewProjection& view) {
     const TerrainOcclusion ground(snapshot, view.block, view.camera);
     std::vector<CanvasContour> lines;
     for (const ContourLine& line : contours.lines) {
@@ -258,7 +259,7 @@ void draw_contours(Canvas& canvas, const CanvasBox& frame, const std::vector<Can
         const MeasuredLine measured(line.points);
         const std::string text = contour_label(line.level, interval);
         double from = 0.0;
-        for (const LabelPlace& place : labels.on(measured, text)) {
+        for (const LabelGap& place : labels.on(measured, text)) {
             if (place.from > from)
                 canvas.stroke(measured.part(from, place.from), thick_width * font, contour_ink);
             canvas.write_turned(text, place.middle, place.angle, contour_ink, label_size);

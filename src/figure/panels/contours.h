@@ -34,8 +34,8 @@ struct CanvasContour {
 };
 
 /// The parts of a snapshot's lines that a view sees.
-std::vector<CanvasContour> seen_contours(const GroundContours& contours, const Snapshot& snapshot,
-                                         const ViewProjection& view);
+std::vector<CanvasContour> visible_contours(const GroundContours& contours,
+                                            const Snapshot& snapshot, const ViewProjection& view);
 
 /// Whether a level has a thick line and labels: every fifth, counted from 0.
 bool is_index_contour(double level, double interval);

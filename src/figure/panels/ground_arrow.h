@@ -21,7 +21,7 @@ struct GroundDirection {
 /// Toward +x, east, or where the winds of a run move the sand on balance; nothing where they
 /// cancel.
 inline std::optional<GroundDirection> wind_direction(const Snapshot& snapshot) {
-    const std::optional<Way> way = downwind(snapshot);
+    const std::optional<HorizontalDirection> way = downwind(snapshot);
     if (!way) return std::nullopt;
     return GroundDirection{{way->x, way->y},
                            snapshot.winds.size() > 1 ? word("drift") : word("wind")};

@@ -15,7 +15,7 @@ CanvasPoint ViewProjection::at_ground(const glm::dvec2& place, double z) const {
                place.y / block.side - 0.5 * block.width_y, z});
 }
 
-GroundAxes seen_axes(const ViewProjection& view) {
+GroundAxes visible_axes(const ViewProjection& view) {
     constexpr double step = 1e-4;  // block lengths
     const auto seen = [&](double x, double y) {
         const CanvasPoint ahead = view.at({x, y, view.block.surface});

@@ -39,6 +39,6 @@ struct ViewProjection {
 
 /// The directions of level ground as that view shows them at the block's middle, shortened as seen,
 /// scaled so that the direction that is seen longest has the length 1.
-GroundAxes seen_axes(const ViewProjection& view);
+GroundAxes visible_axes(const ViewProjection& view);
 
 }  // namespace fumon

@@ -10,7 +10,7 @@
 #include "base/elementary_angle.h"
 #include "base/quantity_text.h"
 #include "base/snapshot_lookup.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 #include "figure/canvas/furniture.h"
 #include "figure/panels/arrow_field.h"
 #include "figure/panels/axis_units.h"
@@ -32,7 +32,7 @@ constexpr double arrows_apart = 1.7;           // font sizes
 /// The variance of the values that a box on the map covers.
 double spread_under(const Grid& values, const CanvasBox& frame, const CanvasBox& box) {
     const auto cell = [](double share, int count) {
-        return whole_within(std::floor(share * count), 0, count - 1);
+        return truncated_within(std::floor(share * count), 0, count - 1);
     };
     const int west = cell((box.x - frame.x) / frame.width, values.nx());
     const int east = cell((box.right() - frame.x) / frame.width, values.nx());
@@ -149,7 +149,7 @@ void MapPanel::draw_flow(Canvas& canvas, const Axes& axes) const {
     field.apart_x = field.apart_y = arrows_apart;
     field.velocity = [&](double x, double y) -> std::optional<glm::dvec2> {
         const auto cell = [](double value, double high, int count) {
-            return whole_within(value / high * count, 0, count - 1);
+            return truncated_within(value / high * count, 0, count - 1);
         };
         const int column = cell(x, axes.x().high, u.nx());
         const int row = cell(y, axes.y().high, u.ny());

@@ -41,7 +41,7 @@ struct MapPanelSettings {
     std::optional<WorldScale> coordinates;
     bool x_axis = true;  ///< false: only y has numbers (maps above each other)
     bool y_axis = true;  ///< false: only x has numbers (maps side by side)
-    BarPlace colour_bar = BarPlace::right;
+    BarPosition colour_bar = BarPosition::right;
     bool scale_bar = false;
     Corner scale_bar_corner = Corner::lower_right;
     std::string label;  ///< within the picture: "t = 100 s"
@@ -75,7 +75,7 @@ class MapPanel : public PanelContent {
 
     /// To be changed before it is drawn.
     ColourScale& colours() { return picture_.colours; }
-    BarPlace& colour_bar() { return settings_.colour_bar; }
+    BarPosition& colour_bar() { return settings_.colour_bar; }
     bool& x_axis() { return settings_.x_axis; }
     bool& y_axis() { return settings_.y_axis; }
 

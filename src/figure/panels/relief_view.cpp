@@ -144,7 +144,7 @@ View relief_view(View view, const Snapshot& first, std::span<const Snapshot> sna
 
 Image outlined(const Image& image, double width) {
     if (!image.transparent()) return image;
-    Image drawn = laid_on(image, 255);
+    Image drawn = composited_on(image, 255);
     const int reach = std::max(1, static_cast<int>(std::ceil(width)));
     const auto alpha = [&](int x, int y) -> double {
         if (x < 0 || y < 0 || x >= image.width || y >= image.height) return 0.0;

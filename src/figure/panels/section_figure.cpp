@@ -83,7 +83,7 @@ std::optional<PageLayout> best_layout(Page& page) {
 }  // namespace
 
 SectionFigure draw_section_figure(const View& view, const Snapshot& snapshot) {
-    const Speaking speaking(picture_words(view.image));
+    const LanguageScope speaking(picture_words(view.image));
     const std::vector<SectionPanel> panels = section_panels(view.section, snapshot);
     const double shorter = static_cast<double>(std::min(view.image.width, view.image.height));
     const WordOrReal& size = view.section.font_size;

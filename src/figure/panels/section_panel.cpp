@@ -112,7 +112,7 @@ ColourScale scale_of(const View& view, const SectionAir& air, SectionPanel panel
 class SectionMapPanel : public PanelContent {
   public:
     SectionMapPanel(const View& view, const Snapshot& snapshot, SectionPanel panel,
-                    BarPlace colour_bar)
+                    BarPosition colour_bar)
         : snapshot_(snapshot),
           air_(snapshot_),
           unit_(length_unit(true, air_.length())),
@@ -169,7 +169,7 @@ class SectionMapPanel : public PanelContent {
     SectionAir air_;
     LengthUnit unit_;
     double exaggeration_;
-    BarPlace colour_bar_;
+    BarPosition colour_bar_;
     bool velocity_;
     SectionArrows arrows_;
     SectionQuantity quantity_ = SectionQuantity::speed;
@@ -274,7 +274,7 @@ ColourScale section_colours(const View& view, const Snapshot& snapshot, SectionP
 }
 
 std::unique_ptr<PanelContent> make_section_panel(const View& view, const Snapshot& snapshot,
-                                                 SectionPanel panel, BarPlace colour_bar) {
+                                                 SectionPanel panel, BarPosition colour_bar) {
     if (panel == SectionPanel::velocity || panel == SectionPanel::pressure)
         return std::make_unique<SectionMapPanel>(view, snapshot, panel, colour_bar);
     return std::make_unique<SectionLinePanel>(snapshot, panel);

@@ -33,6 +33,6 @@ ColourScale section_colours(const View& view, const Snapshot& snapshot, SectionP
 /// palette.
 std::unique_ptr<PanelContent> make_section_panel(const View& view, const Snapshot& snapshot,
                                                  SectionPanel panel,
-                                                 BarPlace colour_bar = BarPlace::right);
+                                                 BarPosition colour_bar = BarPosition::right);
 
 }  // namespace fumon

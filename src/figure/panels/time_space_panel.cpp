@@ -80,7 +80,7 @@ TimeSpacePicture time_space_picture(const LookSettings& look, std::span<const Sn
     return picture;
 }
 
-TimeSpacePanel::TimeSpacePanel(TimeSpacePicture picture, BarPlace colour_bar)
+TimeSpacePanel::TimeSpacePanel(TimeSpacePicture picture, BarPosition colour_bar)
     : picture_(std::move(picture)), colour_bar_(colour_bar) {}
 
 Axes TimeSpacePanel::axes_in(const CanvasBox& frame) const {

@@ -37,7 +37,7 @@ TimeSpacePicture time_space_picture(const LookSettings& look, std::span<const Sn
 /// the one before to halfway to the next.
 class TimeSpacePanel : public PanelContent {
   public:
-    explicit TimeSpacePanel(TimeSpacePicture picture, BarPlace colour_bar = BarPlace::right);
+    explicit TimeSpacePanel(TimeSpacePicture picture, BarPosition colour_bar = BarPosition::right);
 
     [[nodiscard]] PanelMargins margins(const Canvas& canvas, double width,
                                        double height) const override;
@@ -47,7 +47,7 @@ class TimeSpacePanel : public PanelContent {
     [[nodiscard]] Axes axes_in(const CanvasBox& frame) const;
 
     TimeSpacePicture picture_;
-    BarPlace colour_bar_;
+    BarPosition colour_bar_;
 };
 
 }  // namespace fumon

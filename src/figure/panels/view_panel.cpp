@@ -196,11 +196,11 @@ ViewPanel::Placement ViewPanel::place(const Canvas& canvas, const CanvasBox& fra
         placement.label = text(settings_.label, {upper_left, upper_right, lower_left, lower_right});
     if (settings_.arrow) {
         placement.arrow =
-            put(ground_arrow_size(canvas, *settings_.arrow, seen_axes(picture_.in(frame))),
+            put(ground_arrow_size(canvas, *settings_.arrow, visible_axes(picture_.in(frame))),
                 {upper_right, lower_left, lower_right, upper_left});
     }
     if (settings_.compass) {
-        placement.compass = put(compass_size(canvas, seen_axes(picture_.in(frame))),
+        placement.compass = put(compass_size(canvas, visible_axes(picture_.in(frame))),
                                 {upper_left, lower_left, lower_right, upper_right});
     }
     if (settings_.exaggeration && picture_.exaggeration != 1.0) {
@@ -262,7 +262,7 @@ void ViewPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     canvas.draw(picture_.image, frame);
     draw_contours_over(canvas, frame);
     if (settings_.coordinates) draw_coordinates(canvas, frame);
-    const GroundAxes axes = seen_axes(picture_.in(frame));
+    const GroundAxes axes = visible_axes(picture_.in(frame));
     const auto text = [&](const std::string& words, const CanvasBox& box) {
         canvas.write(words, {box.x, box.y}, {0.0, 0.0}, {}, corner_text);
     };

@@ -21,7 +21,7 @@ struct ViewSettings {
     std::optional<GroundDirection> arrow;  ///< of the wind or the flow, as seen
     bool compass = false;
     bool coordinates = false;  ///< of the bed's file, along the block's lower edges
-    BarPlace colour_bar = BarPlace::none;
+    BarPosition colour_bar = BarPosition::none;
     ColourScale colours;  ///< of the bar
 };
 

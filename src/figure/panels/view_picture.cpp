@@ -75,7 +75,7 @@ ViewPicture view_picture(const View& view, const Image& image, const Snapshot& f
     picture.length_y = first.bed.ny() * first.scale.dy;
     const Image on_paper = view.look.relief == FigureRelief::clear
                                ? outlined(image, outline_width(view.image))
-                               : laid_on(image, 255);
+                               : composited_on(image, 255);
     const PixelRectangle box = content_of(on_paper);
     picture.image = cut(on_paper, box);
     const double width = picture.image.width;
@@ -100,7 +100,7 @@ void add_contours(ViewPicture& picture, const View& view, const WordOrReal& aske
     ViewProjection projection = picture.in({0.0, 0.0, 1.0, 1.0});
     projection.block =
         block_of_frame(picture.block, view.look, averaged_first ? *averaged_first : first, shown);
-    picture.contours = seen_contours(*contours, shown, projection);
+    picture.contours = visible_contours(*contours, shown, projection);
     picture.contour_interval = contours->interval;
 }
 

@@ -78,7 +78,7 @@ struct PlotText {
     CanvasPoint anchor{0.0, 1.0};  ///< which share of the text's box stands there
 };
 
-enum class LegendPlace {
+enum class LegendPosition {
     automatic,  ///< the emptiest corner; where all are taken, below the frame or right of it
     none,
     upper_left,
@@ -98,7 +98,7 @@ struct Plot {
     std::vector<PlotBox> boxes;
     std::vector<ReferenceLine> lines;
     std::vector<PlotText> texts;
-    LegendPlace legend = LegendPlace::automatic;
+    LegendPosition legend = LegendPosition::automatic;
     /// What else covers the frame, as an inset: shares of its width and height from its upper left
     /// corner, where no legend is put.
     std::vector<CanvasBox> taken;

@@ -8,12 +8,12 @@ namespace fumon {
 
 namespace {
 
-struct LabelPlace {
+struct LabelAnchor {
     CanvasPoint at;
     CanvasPoint anchor;
 };
 
-CanvasBox text_box(const Canvas& canvas, const std::string& text, const LabelPlace& place) {
+CanvasBox text_box(const Canvas& canvas, const std::string& text, const LabelAnchor& place) {
     const auto [width, height] = canvas.text_size(text, tick_text);
     return {place.at.x - place.anchor.x * width, place.at.y - place.anchor.y * height, width,
             height};
@@ -21,11 +21,11 @@ CanvasBox text_box(const Canvas& canvas, const std::string& text, const LabelPla
 
 /// Takes the place within the frame that covers least, the first among equals, and adds the text to
 /// the clutter.
-PlotLabel best_place(const Canvas& canvas, const std::string& text, const CanvasBox& frame,
-                     const std::vector<LabelPlace>& places, CoveredArea& clutter) {
-    const LabelPlace* best = &places.front();
+PlotLabel best_anchor(const Canvas& canvas, const std::string& text, const CanvasBox& frame,
+                      const std::vector<LabelAnchor>& places, CoveredArea& clutter) {
+    const LabelAnchor* best = &places.front();
     int least = std::numeric_limits<int>::max();
-    for (const LabelPlace& place : places) {
+    for (const LabelAnchor& place : places) {
         const CanvasBox box = text_box(canvas, text, place);
         constexpr int outside = 1'000'000;
         const int covers = clutter.within(box) + clutter.references_within(box) +
@@ -41,8 +41,8 @@ PlotLabel best_place(const Canvas& canvas, const std::string& text, const Canvas
     return {text, {box.x, box.y}, {0.0, 0.0}};
 }
 
-std::vector<LabelPlace> places_at(const ReferenceLine& line, const CanvasBox& frame,
-                                  const CanvasPoint& at, double gap) {
+std::vector<LabelAnchor> anchors_at(const ReferenceLine& line, const CanvasBox& frame,
+                                    const CanvasPoint& at, double gap) {
     if (line.upright)
         return {{{at.x + gap, frame.y + gap}, {0.0, 0.0}},
                 {{at.x - gap, frame.y + gap}, {1.0, 0.0}},
@@ -55,9 +55,9 @@ std::vector<LabelPlace> places_at(const ReferenceLine& line, const CanvasBox& fr
             {{frame.x + gap, at.y + low_gap}, {0.0, 0.0}}};
 }
 
-std::vector<LabelPlace> places_at(const CanvasBox& box, bool fits, double gap) {
+std::vector<LabelAnchor> anchors_at(const CanvasBox& box, bool fits, double gap) {
     const CanvasPoint middle = box.middle();
-    std::vector<LabelPlace> places;
+    std::vector<LabelAnchor> places;
     if (fits) places.push_back({middle, {0.5, 0.5}});
     if (fits) places.push_back({{box.x + gap, box.y + gap}, {0.0, 0.0}});
     if (fits) places.push_back({{box.right() - gap, box.bottom() - gap}, {1.0, 1.0}});
@@ -92,8 +92,8 @@ PlotDrawing::PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox
                                                          : CanvasPoint{frame.right(), at.y});
     }
     for (const PlotText& text : plot.texts)
-        labels.push_back(best_place(canvas, text.text, frame,
-                                    {{axes.at(text.x, text.y), text.anchor}}, clutter));
+        labels.push_back(best_anchor(canvas, text.text, frame,
+                                     {{axes.at(text.x, text.y), text.anchor}}, clutter));
     for (const CanvasBox& share : plot.taken)
         clutter.boxes.push_back({frame.x + share.x * frame.width, frame.y + share.y * frame.height,
                                  share.width * frame.width, share.height * frame.height});
@@ -115,8 +115,8 @@ PlotDrawing::PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox
         for (std::size_t j = 0; j < stated.size(); ++j) {
             if (j != i) others.boxes.push_back(stated[j]);
         }
-        labels.push_back(best_place(canvas, plot.boxes[i].label, frame,
-                                    places_at(stated[i], fits, 0.4 * gap), others));
+        labels.push_back(best_anchor(canvas, plot.boxes[i].label, frame,
+                                     anchors_at(stated[i], fits, 0.4 * gap), others));
         clutter.boxes.push_back(others.boxes.back());
     }
     for (const ReferenceLine& line : plot.lines) {
@@ -124,13 +124,13 @@ PlotDrawing::PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox
         const CanvasPoint at = line.upright ? CanvasPoint{axes.at(line.value, 1.0).x, frame.y}
                                             : CanvasPoint{frame.x, axes.at(1.0, line.value).y};
         labels.push_back(
-            best_place(canvas, line.label, frame, places_at(line, frame, at, gap), clutter));
+            best_anchor(canvas, line.label, frame, anchors_at(line, frame, at, gap), clutter));
     }
 }
 
 PlotDrawing plot_drawing(const Canvas& canvas, const Plot& plot, const CanvasBox& frame) {
     PlotDrawing first(canvas, plot, frame, 0.0);
-    if (!first.legend || first.legend->inside || plot.legend != LegendPlace::automatic ||
+    if (!first.legend || first.legend->inside || plot.legend != LegendPosition::automatic ||
         plot.y.high)
         return first;
     for (const double stretch : {0.15, 0.3, 0.45}) {

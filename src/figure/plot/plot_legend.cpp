@@ -55,29 +55,29 @@ std::array<double, 2> size_of(const Entries& entries, int columns, double font) 
     return {width, entries.rows(columns) * entries.height + 2.0 * legend_padding * font};
 }
 
-struct Place {
+struct Anchor {
     double across;  // 0: left … 1: right
     double down;
 };
 
-constexpr std::array<Place, 4> legend_corners{{{1.0, 0.0}, {0.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
-constexpr std::array<Place, 4> sides{{{0.5, 0.0}, {0.5, 1.0}, {1.0, 0.5}, {0.0, 0.5}}};
+constexpr std::array<Anchor, 4> legend_corners{{{1.0, 0.0}, {0.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
+constexpr std::array<Anchor, 4> sides{{{0.5, 0.0}, {0.5, 1.0}, {1.0, 0.5}, {0.0, 0.5}}};
 
-CanvasBox box_at(const Place& place, const CanvasBox& frame, double width, double height,
+CanvasBox box_at(const Anchor& place, const CanvasBox& frame, double width, double height,
                  double gap) {
     return {frame.x + gap + place.across * (frame.width - width - 2.0 * gap),
             frame.y + gap + place.down * (frame.height - height - 2.0 * gap), width, height};
 }
 
-std::optional<Place> named_corner(LegendPlace place) {
+std::optional<Anchor> named_corner(LegendPosition place) {
     switch (place) {
-        case LegendPlace::upper_right:
+        case LegendPosition::upper_right:
             return legend_corners[0];
-        case LegendPlace::upper_left:
+        case LegendPosition::upper_left:
             return legend_corners[1];
-        case LegendPlace::lower_right:
+        case LegendPosition::lower_right:
             return legend_corners[2];
-        case LegendPlace::lower_left:
+        case LegendPosition::lower_left:
             return legend_corners[3];
         default:
             return std::nullopt;
@@ -113,7 +113,7 @@ std::optional<LegendBox> free_place(const Entries& entries, const CanvasBox& fra
         const auto [across, down] = size_of(entries, columns, font);
         if (across + 2.0 * gap > frame.width || down + 2.0 * gap > frame.height) continue;
         for (const auto& places : {legend_corners, sides}) {
-            for (const Place& place : places) {
+            for (const Anchor& place : places) {
                 const LegendBox legend{box_at(place, frame, across, down, gap), columns, true};
                 const CanvasBox room = grown(legend.box, 0.5 * gap);
                 if (clutter.within(room) > 0) continue;
@@ -156,18 +156,18 @@ int CoveredArea::references_within(const CanvasBox& box) const {
 std::optional<LegendBox> place_legend(const Canvas& canvas, const Plot& plot, const PlotAxes& axes,
                                       const PanelMargins& margins, const CoveredArea& clutter) {
     const Entries entries = entries_of(canvas, plot);
-    if (entries.series.empty() || plot.legend == LegendPlace::none) return std::nullopt;
+    if (entries.series.empty() || plot.legend == LegendPosition::none) return std::nullopt;
     const double font = canvas.font_size();
     const CanvasBox& frame = axes.frame();
     const auto [width, height] = size_of(entries, 1, font);
     const double gap = apart * font;
     if (const auto corner = named_corner(plot.legend))
         return LegendBox{box_at(*corner, frame, width, height, gap), 1, true};
-    if (plot.legend == LegendPlace::automatic) {
+    if (plot.legend == LegendPosition::automatic) {
         if (const auto place = free_place(entries, frame, font, clutter)) return place;
     }
-    const bool beside = plot.legend == LegendPlace::right ||
-                        (plot.legend == LegendPlace::automatic &&
+    const bool beside = plot.legend == LegendPosition::right ||
+                        (plot.legend == LegendPosition::automatic &&
                          entries.count() >= fewest_beside && width <= widest_beside * font);
     if (!beside) return below(entries, frame, margins, font);
     return LegendBox{{frame.right() + margins.right + gap, frame.y, width, height}, 1, false};

@@ -8,7 +8,7 @@
 #include <cstddef>
 
 #include "base/elementary_power.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 #include "figure/plot/ticks.h"
 
 namespace fumon {
@@ -83,7 +83,8 @@ std::string logarithmic_label(double value) {
     const int power = power_below(value, rounding_of_step);
     constexpr int most_digits = 4;
     if (std::abs(power) > most_digits) {
-        const int leading = whole_within(std::round(value / elementary::pow(10.0, power)), 0, 10);
+        const int leading =
+            truncated_within(std::round(value / elementary::pow(10.0, power)), 0, 10);
         return leading == 1 ? power_of_ten(power)
                             : fmt::format("{}×{}", leading, power_of_ten(power));
     }

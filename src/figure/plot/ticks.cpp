@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "base/elementary_power.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 
 namespace fumon {
 
@@ -36,7 +36,7 @@ std::string superscript(int number) {
 }  // namespace
 
 int power_below(double value, double above) {
-    return whole_within(std::floor(elementary::log10(value) + above), -most_power, most_power);
+    return truncated_within(std::floor(elementary::log10(value) + above), -most_power, most_power);
 }
 
 double RoundStep::value() const {
@@ -49,8 +49,8 @@ RoundStep round_step(double low, double high, int most) {
     for (;; ++exponent) {
         for (const int leading : {1, 2, 5}) {
             const RoundStep step{leading, exponent};
-            const auto first = whole_of(std::ceil(low / step.value() - rounding_of_end));
-            const auto last = whole_of(std::floor(high / step.value() + rounding_of_end));
+            const auto first = truncated(std::ceil(low / step.value() - rounding_of_end));
+            const auto last = truncated(std::floor(high / step.value() + rounding_of_end));
             if (last - first + 1 <= std::max(most, 2)) return step;
         }
     }
@@ -58,8 +58,8 @@ RoundStep round_step(double low, double high, int most) {
 
 std::vector<double> multiples(double step, double low, double high) {
     std::vector<double> values;
-    const auto first = whole_of(std::ceil(low / step - rounding_of_end));
-    const auto last = whole_of(std::floor(high / step + rounding_of_end));
+    const auto first = truncated(std::ceil(low / step - rounding_of_end));
+    const auto last = truncated(std::floor(high / step + rounding_of_end));
     for (long long i = first; i <= last; ++i) values.push_back(static_cast<double>(i) * step);
     return values;
 }
@@ -85,10 +85,10 @@ Ticks linear_ticks(double low, double high, int most) {
 Ticks logarithmic_ticks(double low, double high, int most) {
     Ticks ticks;
     if (!(low > 0.0) || !std::isfinite(high) || !(low < high)) return ticks;
-    const int first =
-        whole_within(std::ceil(elementary::log10(low) - rounding_of_end), -most_power, most_power);
-    const int last = whole_within(std::floor(elementary::log10(high) + rounding_of_end),
-                                  -most_power, most_power);
+    const int first = truncated_within(std::ceil(elementary::log10(low) - rounding_of_end),
+                                       -most_power, most_power);
+    const int last = truncated_within(std::floor(elementary::log10(high) + rounding_of_end),
+                                      -most_power, most_power);
     const int every = std::max(1, (last - first + std::max(most, 1)) / std::max(most, 1));
     for (int power = first; power <= last; power += every) {
         ticks.values.push_back(elementary::pow(10.0, power));

@@ -126,10 +126,10 @@ WordTable with_words(WordTable table, const WordTable& others) {
     return table;
 }
 
-Speaking::Speaking(std::shared_ptr<const WordTable> table)
+LanguageScope::LanguageScope(std::shared_ptr<const WordTable> table)
     : before_(std::exchange(spoken(), std::move(table))) {}
 
-Speaking::~Speaking() {
+LanguageScope::~LanguageScope() {
     spoken() = std::move(before_);
 }
 

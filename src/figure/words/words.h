@@ -53,12 +53,12 @@ WordTable with_words(WordTable table, const WordTable& others);
 
 /// As long as this lives, what this thread writes is in the words of a table, and then in those of
 /// before. Null: English.
-class Speaking {
+class LanguageScope {
   public:
-    explicit Speaking(std::shared_ptr<const WordTable> table);
-    ~Speaking();
-    Speaking(const Speaking&) = delete;
-    Speaking& operator=(const Speaking&) = delete;
+    explicit LanguageScope(std::shared_ptr<const WordTable> table);
+    ~LanguageScope();
+    LanguageScope(const LanguageScope&) = delete;
+    LanguageScope& operator=(const LanguageScope&) = delete;
 
   private:
     std::shared_ptr<const WordTable> before_;

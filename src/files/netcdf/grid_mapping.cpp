@@ -12,7 +12,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double radians_a_degree = std::numbers::pi / 180.0;
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 /// The letters and digits of a name, in small letters: "Lambert_Conformal_Conic_2SP" and "Lambert
 /// Conic Conformal (2SP)" differ in their words alone.
@@ -71,7 +71,7 @@ double unit_of(const WktNode* node, double otherwise) {
 std::optional<Parameters> parameters_of(const WktNode& system) {
     const WktNode* conversion = system.child({"CONVERSION"});
     const double angle =
-        unit_of(system.find({"GEOGCS", "BASEGEOGCRS", "BASEGEODCRS"}), radians_a_degree);
+        unit_of(system.find({"GEOGCS", "BASEGEOGCRS", "BASEGEODCRS"}), radians_per_degree);
     const double length = conversion == nullptr ? unit_of(&system, 1.0) : 1.0;
     Parameters parameters;
     for (const WktNode& node : (conversion == nullptr ? system : *conversion).children) {
@@ -89,7 +89,7 @@ std::optional<Parameters> parameters_of(const WktNode& system) {
         } else if (*parameter == Parameter::easting || *parameter == Parameter::northing) {
             kept = *value * unit_of(&node, length);
         } else {
-            const double factor = unit_of(&node, angle) / radians_a_degree;
+            const double factor = unit_of(&node, angle) / radians_per_degree;
             kept = std::abs(factor - 1.0) < 1e-9 ? *value : *value * factor;
         }
     }
@@ -241,8 +241,8 @@ void put_figure_of_the_earth(GridMapping& mapping, const WktNode& system) {
     }
     const WktNode* meridian = system.find({"PRIMEM", "PRIMEMERIDIAN"});
     const double longitude = meridian == nullptr ? 0.0 : meridian->number(1).value_or(0.0);
-    const double factor =
-        unit_of(meridian, unit_of(system.find({"GEOGCS"}), radians_a_degree)) / radians_a_degree;
+    const double factor = unit_of(meridian, unit_of(system.find({"GEOGCS"}), radians_per_degree)) /
+                          radians_per_degree;
     mapping.attributes.push_back({"longitude_of_prime_meridian", {longitude * factor}});
 }
 

@@ -26,8 +26,8 @@ std::optional<int> coordinate_variable(const NetcdfInput& input, int dimension) 
     if (named && is_over(input, *named, dimension)) return named;
     for (int variable = 0; variable < input.variables(); ++variable) {
         if (!is_over(input, variable, dimension)) continue;
-        if (input.text(variable, "axis") || variable_says_eastward(input, variable) ||
-            variable_says_northward(input, variable))
+        if (input.text(variable, "axis") || is_eastward_variable(input, variable) ||
+            is_northward_variable(input, variable))
             return variable;
     }
     return std::nullopt;
@@ -131,7 +131,7 @@ NetcdfAxis netcdf_axis(const NetcdfInput& input, int variable, std::vector<doubl
     return axis;
 }
 
-bool variable_says_eastward(const NetcdfInput& input, int variable) {
+bool is_eastward_variable(const NetcdfInput& input, int variable) {
     const std::string standard = input.text(variable, "standard_name").value_or("");
     const std::string unit = input.text(variable, "units").value_or("");
     const std::string name = input.variable_name(variable);
@@ -143,7 +143,7 @@ bool variable_says_eastward(const NetcdfInput& input, int variable) {
            is_among(units, unit) || is_among(names, name);
 }
 
-bool variable_says_northward(const NetcdfInput& input, int variable) {
+bool is_northward_variable(const NetcdfInput& input, int variable) {
     const std::string standard = input.text(variable, "standard_name").value_or("");
     const std::string unit = input.text(variable, "units").value_or("");
     const std::string name = input.variable_name(variable);
@@ -155,25 +155,25 @@ bool variable_says_northward(const NetcdfInput& input, int variable) {
            is_among(units, unit) || is_among(names, name);
 }
 
-bool says_eastward(const NetcdfInput& input, int dimension) {
+bool is_eastward(const NetcdfInput& input, int dimension) {
     constexpr std::array<std::string_view, 10> names{
         "x", "X", "lon", "Lon", "LON", "longitude", "Longitude", "easting", "east", "west_east"};
     const auto variable = coordinate_variable(input, dimension);
     return is_among(names, input.dimension_name(dimension)) ||
            coordinate_text(input, dimension, "axis") == "X" ||
-           (variable && variable_says_eastward(input, *variable));
+           (variable && is_eastward_variable(input, *variable));
 }
 
-bool says_northward(const NetcdfInput& input, int dimension) {
+bool is_northward(const NetcdfInput& input, int dimension) {
     constexpr std::array<std::string_view, 10> names{
         "y", "Y", "lat", "Lat", "LAT", "latitude", "Latitude", "northing", "north", "south_north"};
     const auto variable = coordinate_variable(input, dimension);
     return is_among(names, input.dimension_name(dimension)) ||
            coordinate_text(input, dimension, "axis") == "Y" ||
-           (variable && variable_says_northward(input, *variable));
+           (variable && is_northward_variable(input, *variable));
 }
 
-bool says_not_horizontal(const NetcdfInput& input, int dimension) {
+bool is_not_horizontal(const NetcdfInput& input, int dimension) {
     constexpr std::array<std::string_view, 14> names{"time", "Time",   "t",        "step", "record",
                                                      "z",    "band",   "bnds",     "nbnd", "bnd",
                                                      "nv",   "bounds", "vertices", "nb2"};

@@ -43,15 +43,15 @@ NetcdfAxis read_netcdf_axis(const NetcdfInput& input, int dimension);
 NetcdfAxis netcdf_axis(const NetcdfInput& input, int variable, std::vector<double> coordinates);
 
 /// Whether a variable holds longitudes or x by its standard name, unit or name.
-bool variable_says_eastward(const NetcdfInput& input, int variable);
+bool is_eastward_variable(const NetcdfInput& input, int variable);
 /// Likewise latitudes or y.
-bool variable_says_northward(const NetcdfInput& input, int variable);
+bool is_northward_variable(const NetcdfInput& input, int variable);
 
 /// Whether a dimension's name or its coordinates' attributes call it eastward (x, lon …).
-bool says_eastward(const NetcdfInput& input, int dimension);
+bool is_eastward(const NetcdfInput& input, int dimension);
 /// Likewise northward (y, lat …).
-bool says_northward(const NetcdfInput& input, int dimension);
+bool is_northward(const NetcdfInput& input, int dimension);
 /// Likewise a time or a height, no side of a map.
-bool says_not_horizontal(const NetcdfInput& input, int dimension);
+bool is_not_horizontal(const NetcdfInput& input, int dimension);
 
 }  // namespace fumon

@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "base/error.h"
-#include "files/library_at_work.h"
+#include "files/active_library.h"
 
 namespace fumon {
 
@@ -21,7 +21,7 @@ class NetcdfLock {
 
   private:
     std::lock_guard<std::mutex> lock_;
-    LibraryAtWork at_work_;
+    ActiveLibrary at_work_;
 };
 
 /// A call of the NetCDF library failed: its own words, without the file's name, which the writers

@@ -35,8 +35,8 @@ std::vector<double> default_fill(int type) {
 
 /// How many numbers a signed integer's type has where `_Unsigned` says that it has no sign; else 0.
 double wrap_of(const NetcdfInput& input, int variable) {
-    const std::string said = input.text(variable, "_Unsigned").value_or("");
-    if (said != "true" && said != "True" && said != "TRUE") return 0.0;
+    const std::string flag = input.text(variable, "_Unsigned").value_or("");
+    if (flag != "true" && flag != "True" && flag != "TRUE") return 0.0;
     switch (input.type(variable)) {
         case NC_BYTE:
             return 0x1p8;

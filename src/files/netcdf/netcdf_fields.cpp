@@ -151,7 +151,7 @@ class FieldsFile::Parts {
     void begin() { open_.emplace(file_, outline_, text_, hash_); }
 
     /// Finds what a former run left, and takes its first records.
-    void go_on(const FieldsBeginning& beginning) {
+    void resume(const FieldsBeginning& beginning) {
         LeftPieces left = find_pieces(file_, outline_, beginning, hash_);
         if (!left.difference.what.empty())
             throw InputError(fmt::format("{}: cannot go on with it: it {}",
@@ -239,9 +239,9 @@ FieldsFile::FieldsFile(const fs::path& file, const Snapshot& first, const Fields
 }
 
 FieldsFile::FieldsFile(const fs::path& file, const Snapshot& first, const FieldsText& text,
-                       const FieldsBeginning& former)
+                       const FieldsBeginning& previous)
     : parts_(std::make_unique<Parts>(file, first, text)) {
-    parts_->go_on(former);
+    parts_->resume(previous);
 }
 
 FieldsFile::~FieldsFile() = default;

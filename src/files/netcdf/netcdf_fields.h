@@ -52,7 +52,7 @@ class FieldsFile {
     /// go. Throws InputError, naming the piece, where one is not there, cannot be read or has not
     /// these records.
     FieldsFile(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text,
-               const FieldsBeginning& former);
+               const FieldsBeginning& previous);
     ~FieldsFile();
     FieldsFile(const FieldsFile&) = delete;
     FieldsFile& operator=(const FieldsFile&) = delete;

@@ -11,8 +11,8 @@
 #include "base/find_named.h"
 #include "base/quantity_text.h"
 #include "files/netcdf/netcdf_calls.h"
+#include "files/netcdf/netcdf_coordinates.h"
 #include "files/netcdf/netcdf_definition.h"
-#include "files/netcdf/netcdf_place.h"
 #include "files/netcdf/number_names.h"
 
 namespace fumon {
@@ -86,7 +86,7 @@ struct Dimensions {
 /// VTK and ParaView take an axis X for a longitude, whatever its unit, and bend the map round a
 /// sphere.
 int define_axis(int file, int dimension, int length, bool eastward, const WorldScale& scale,
-                const FilePlace& place) {
+                const FileCoordinates& place) {
     const char* name = eastward ? "x" : "y";
     const bool in_metres = scale.in_metres;
     const int variable = define_coordinate(file, name, dimension, count_of(length));
@@ -189,7 +189,7 @@ FieldsLayout define_fields(int file, const Snapshot& first, const FieldsText& te
     describe_time(file, layout.time, first.time_unit);
     layout.step = define_over_time(file, dimensions, "step");
     describe(file, layout.step, "steps done", "1");
-    const FilePlace place = place_in_file(first.scale);
+    const FileCoordinates place = file_coordinates(first.scale);
     std::optional<int> y;
     if (has_coordinate(bed.ny(), first.scale))
         y = define_axis(file, dimensions.y, bed.ny(), false, first.scale, place);

@@ -110,10 +110,10 @@ class FieldsPiece::Parts {
 
   private:
     void make(const Snapshot& first, const FieldsText& text, Sha256Stream& hash) {
-        ::unlink(part_.c_str());                              // what a killed run may have left
-        constexpr mode_t everyone_may_read_and_write = 0666;  // less the umask
-        descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
-                             everyone_may_read_and_write);
+        ::unlink(part_.c_str());                    // what a killed run may have left
+        constexpr mode_t default_file_mode = 0666;  // less the umask
+        descriptor_ =
+            ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, default_file_mode);
         if (descriptor_ < 0) refuse_to_write(file_, errno);
         reserve(header_room(first, text) + record_room(first));
         const NetcdfLock lock;

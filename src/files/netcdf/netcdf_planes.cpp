@@ -53,8 +53,8 @@ bool repeats(const Grid& plane, bool along_rows) {
 
 std::optional<std::pair<NetcdfAxis, NetcdfAxis>> axes_of_planes(const NetcdfInput& input,
                                                                 const BedVariable& bed) {
-    const auto eastward = find_plane(input, bed, variable_says_eastward);
-    const auto northward = find_plane(input, bed, variable_says_northward);
+    const auto eastward = find_plane(input, bed, is_eastward_variable);
+    const auto northward = find_plane(input, bed, is_northward_variable);
     if (!eastward || !northward) return std::nullopt;
     (void)input.values_over(std::vector<int>{bed.y, bed.x});
     const Grid x = read_plane(input, *eastward, bed.y, bed.x);

@@ -41,11 +41,11 @@ Sides sides_of(const NetcdfInput& input, int variable) {
     const std::vector<int> over = input.dimensions(variable);
     std::vector<int> level;  // the horizontal ones
     for (const int dimension : over) {
-        if (!says_not_horizontal(input, dimension)) level.push_back(dimension);
+        if (!is_not_horizontal(input, dimension)) level.push_back(dimension);
     }
     for (const int dimension : level) {
-        const bool east = says_eastward(input, dimension);
-        const bool north = says_northward(input, dimension);
+        const bool east = is_eastward(input, dimension);
+        const bool north = is_northward(input, dimension);
         if (east && !north) sides.x = dimension;
         if (north && !east) sides.y = dimension;
     }
@@ -101,9 +101,9 @@ std::vector<int> candidates(const NetcdfInput& input) {
     const std::set<std::string> not_these = helpers(input);
     std::vector<int> found;
     for (int variable = 0; variable < input.variables(); ++variable) {
-        const bool says_where =
-            variable_says_eastward(input, variable) || variable_says_northward(input, variable);
-        if (!says_where && !not_these.contains(input.variable_name(variable)) &&
+        const bool has_location =
+            is_eastward_variable(input, variable) || is_northward_variable(input, variable);
+        if (!has_location && !not_these.contains(input.variable_name(variable)) &&
             obstacle(input, variable).empty())
             found.push_back(variable);
     }
@@ -125,7 +125,7 @@ std::string listed(const std::vector<std::string>& names) {
     return names.size() > most ? text + " …" : text;
 }
 
-constexpr std::string_view what_fits =
+constexpr std::string_view layout_help =
     "a bed is a numeric variable over y and x, or over these and one of time, band or the like";
 
 int choose(const NetcdfInput& input, const std::string& wanted) {
@@ -134,11 +134,11 @@ int choose(const NetcdfInput& input, const std::string& wanted) {
         const auto known = candidates(input);
         input.refuse(
             fmt::format("has no variable \"{}\"", wanted),
-            known.empty() ? std::string(what_fits) : suggestion(wanted, names_of(input, known)));
+            known.empty() ? std::string(layout_help) : suggestion(wanted, names_of(input, known)));
     }
     if (const auto own = input.find_variable("bed_height")) return *own;
     const auto known = candidates(input);
-    if (known.empty()) input.refuse("holds no bed", what_fits);
+    if (known.empty()) input.refuse("holds no bed", layout_help);
     if (known.size() > 1)
         input.refuse(fmt::format("holds {} variables that may be the bed", known.size()),
                      fmt::format("name one by bed.variable: {}", listed(names_of(input, known))));
@@ -153,7 +153,7 @@ BedVariable choose_bed_variable(const NetcdfInput& input, const std::string& wan
     bed.variable = choose(input, wanted);
     bed.name = input.variable_name(bed.variable);
     if (const std::string why = obstacle(input, bed.variable); !why.empty())
-        input.refuse(fmt::format("{} {}", bed.name, why), what_fits);
+        input.refuse(fmt::format("{} {}", bed.name, why), layout_help);
     const Sides sides = sides_of(input, bed.variable);
     bed.x = sides.x;
     bed.y = sides.y;

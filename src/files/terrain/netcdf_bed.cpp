@@ -176,9 +176,9 @@ std::pair<NetcdfAxis, NetcdfAxis> axes_of(const NetcdfInput& input, const BedVar
     refuse_rotated_pole(input, bed);
     NetcdfAxis x = read_netcdf_axis(input, bed.x);
     NetcdfAxis y = read_netcdf_axis(input, bed.y);
-    const bool says_where = x.has_coordinates && y.has_coordinates && x.unit != AxisUnit::unsaid &&
-                            y.unit != AxisUnit::unsaid;
-    if (!says_where) {
+    const bool has_location = x.has_coordinates && y.has_coordinates &&
+                              x.unit != AxisUnit::unsaid && y.unit != AxisUnit::unsaid;
+    if (!has_location) {
         if (auto planes = axes_of_planes(input, bed)) return std::move(*planes);
     }
     place_by_transform(input, bed, x, y);

@@ -16,8 +16,8 @@
 #include "files/gdal/gdal_functions.h"
 #include "files/gdal/gdal_session.h"
 #include "files/gdal/raster_choice.h"
+#include "files/gdal/raster_georeference.h"
 #include "files/gdal/raster_kinds.h"
-#include "files/gdal/raster_place.h"
 #include "files/input_file.h"
 #include "files/open_files.h"
 #include "files/terrain/geographic.h"
@@ -56,7 +56,7 @@ class RasterReader {
 
     Terrain read() {
         const GDALRasterBandH band = choose_band();
-        const RasterPlace place = raster_place(
+        const RasterGeoReference place = raster_georeference(
             dataset_.get(), nx_, ny_,
             [this](std::string_view what, std::string_view remedy) { refuse(what, remedy); });
         const CellBlock block = query_.window
@@ -166,10 +166,10 @@ class RasterReader {
     }
 
     /// In the file's unit of length, or degrees in metres.
-    void set_cell_sizes(const RasterPlace& place) {
+    void set_cell_sizes(const RasterGeoReference& place) {
         if (!terrain_.place) return;
         GeoReference& grid = *terrain_.place;
-        if (!place.says_degrees) {
+        if (!place.units_known) {
             grid.degrees = is_geographic({grid.west, grid.south, grid.dx * terrain_.heights.nx(),
                                           grid.dy * terrain_.heights.ny(), grid.dx, grid.dy,
                                           relief(terrain_.heights, terrain_.nodata)});
@@ -183,8 +183,8 @@ class RasterReader {
     /// A block in the raster's own order of rows and columns, turned so that row 0 is the
     /// southernmost and column 0 the westernmost.
     template <class Number>
-    Field<Number> read_block(GDALRasterBandH band, const CellBlock& block, const RasterPlace& place,
-                             GDALDataType type) const {
+    Field<Number> read_block(GDALRasterBandH band, const CellBlock& block,
+                             const RasterGeoReference& place, GDALDataType type) const {
         Field<Number> values(block.nx, block.ny);
         const int column = place.west_first ? block.x : nx_ - block.x - block.nx;
         const int row = place.north_first ? ny_ - block.y - block.ny : block.y;
@@ -225,7 +225,8 @@ class RasterReader {
         return has != 0 ? std::optional(value) : std::nullopt;
     }
 
-    void read_heights(GDALRasterBandH band, const CellBlock& block, const RasterPlace& place) {
+    void read_heights(GDALRasterBandH band, const CellBlock& block,
+                      const RasterGeoReference& place) {
         const UnitConversion conversion = conversion_of(band, place);
         terrain_.heights = read_block<double>(band, block, place, GDT_Float64);
         Mask shown;  // 0 where the file's own mask hides a cell
@@ -260,7 +261,7 @@ class RasterReader {
     }
 
     /// From the band's numbers to metres of height, or to the unit that a query wants.
-    UnitConversion conversion_of(GDALRasterBandH band, const RasterPlace& place) {
+    UnitConversion conversion_of(GDALRasterBandH band, const RasterGeoReference& place) {
         constexpr std::array<std::string_view, 3> none{"", "unspecified", "unknown"};
         std::string unit = gdal().GDALGetRasterUnitType(band);
         if (std::ranges::find(none, unit) != none.end())

@@ -17,7 +17,7 @@ bool rock_wears(const Snapshot& snapshot) {
 
 }  // namespace
 
-std::string_view missing_beside_beds(const Snapshot& first, const View& view) {
+std::string_view missing_besides_beds(const Snapshot& first, const View& view) {
     if (first.section) return "their air";
     if (first.landform == Landform::water) return "their water";
     const Marking mark = view.look.mark;
@@ -30,16 +30,16 @@ std::string_view missing_beside_beds(const Snapshot& first, const View& view) {
     return mark == Marking::ground && rock_wears(first) ? "their worn rock" : "";
 }
 
-void leave_what_bed_tells(Snapshot& snapshot) {
-    std::vector<SnapshotField> told;
+void keep_fields_of_bed(Snapshot& snapshot) {
+    std::vector<SnapshotField> kept_fields;
     const SnapshotField* rock = find_named(snapshot.fields, "rock");
     const SnapshotField* sand = find_named(snapshot.fields, "sand");
     if (rock != nullptr && sand != nullptr && !rock_wears(snapshot)) {
-        told = {*sand, *rock};
+        kept_fields = {*sand, *rock};
         std::ranges::transform(snapshot.bed.values(), rock->values.values(),
-                               told.front().values.values().begin(), std::minus<>());
+                               kept_fields.front().values.values().begin(), std::minus<>());
     }
-    snapshot.fields = std::move(told);
+    snapshot.fields = std::move(kept_fields);
     snapshot.numbers.clear();
     snapshot.section.reset();
 }

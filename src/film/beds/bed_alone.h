@@ -9,10 +9,10 @@ namespace fumon {
 
 /// What a picture of a run needs beside its beds and these alone do not tell ("their water"), or
 /// nothing. `first`: the run's snapshot before its first step.
-std::string_view missing_beside_beds(const Snapshot& first, const View& view);
+std::string_view missing_besides_beds(const Snapshot& first, const View& view);
 
 /// Leaves a snapshot, whose bed is another than that of its fields and numbers, what its bed tells:
 /// the sand that lies on rock, where rock does not wear. The rest goes.
-void leave_what_bed_tells(Snapshot& snapshot);
+void keep_fields_of_bed(Snapshot& snapshot);
 
 }  // namespace fumon

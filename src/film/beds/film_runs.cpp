@@ -66,13 +66,13 @@ std::string value_words(const Scene& scene, const std::string& key) {
 
 }  // namespace
 
-Showing showing_of(const Film& film) {
-    return film.excerpts.empty() ? Showing::together : Showing::in_turn;
+RunArrangement arrangement_of(const Film& film) {
+    return film.excerpts.empty() ? RunArrangement::together : RunArrangement::in_turn;
 }
 
-FilmRuns::FilmRuns(const std::vector<std::string>& folders, int threads, Showing showing) {
+FilmRuns::FilmRuns(const std::vector<std::string>& folders, int threads, RunArrangement showing) {
     const auto limit = [&](std::size_t runs, const std::string& what) {
-        const bool together = showing == Showing::together;
+        const bool together = showing == RunArrangement::together;
         const std::size_t most = together ? most_panes : std::size_t{most_joined_runs};
         if (runs <= most) return;
         throw InputError(fmt::format("{}; a film shows at most {}", what,
@@ -89,15 +89,15 @@ FilmRuns::FilmRuns(const std::vector<std::string>& folders, int threads, Showing
                 StoredBeds::of_sweep(folder, static_cast<std::int64_t>(number), threads)));
         limit(beds_.size(), fmt::format("{} runs", beds_.size()));
     }
-    if (showing == Showing::in_turn) return;
+    if (showing == RunArrangement::in_turn) return;
     check();
     find_varied();
 }
 
-FilmRuns::FilmRuns(std::vector<StoredBeds> beds, Showing showing) {
+FilmRuns::FilmRuns(std::vector<StoredBeds> beds, RunArrangement showing) {
     for (StoredBeds& run : beds)
         beds_.push_back(std::make_shared<const StoredBeds>(std::move(run)));
-    if (showing == Showing::in_turn) return;
+    if (showing == RunArrangement::in_turn) return;
     check();
     find_varied();
 }

@@ -18,10 +18,10 @@ inline constexpr std::size_t most_panes = 9;
 inline constexpr int most_pane_columns = 3;
 
 /// How a film shows its runs.
-enum class Showing { together, in_turn };
+enum class RunArrangement { together, in_turn };
 
 /// In turn where it cuts from other films.
-Showing showing_of(const Film& film);
+RunArrangement arrangement_of(const Film& film);
 
 /// The runs that a film shows: one, or several in step or in turn.
 class FilmRuns {
@@ -30,10 +30,11 @@ class FilmRuns {
     /// StoredBeds, and for more than nine runs (24 in turn) and, together, for runs whose grids
     /// differ.
     FilmRuns(const std::vector<std::string>& folders, int threads,
-             Showing showing = Showing::together);
+             RunArrangement showing = RunArrangement::together);
 
     /// Of runs that are read already, at least one. Throws InputError where their grids differ.
-    explicit FilmRuns(std::vector<StoredBeds> beds, Showing showing = Showing::together);
+    explicit FilmRuns(std::vector<StoredBeds> beds,
+                      RunArrangement showing = RunArrangement::together);
 
     /// One of them alone.
     [[nodiscard]] FilmRuns only(std::size_t run) const;

@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/snapshots/ground_range.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 #include "files/csv_table.h"
 #include "files/input_file.h"
 #include "files/json_text.h"
@@ -20,8 +20,8 @@
 #include "run/inputs/find_input.h"
 #include "run/run_identity.h"
 #include "scene/json.h"
-#include "scene/lives_in_metres.h"
 #include "scene/read.h"
+#include "scene/uses_metres.h"
 
 namespace fumon {
 
@@ -113,7 +113,7 @@ Scene scene_of(const Json& manifest, const fs::path& folder,
 }
 
 void check_beds_suffice(const std::string& name, const Snapshot& first, const View& view) {
-    const std::string_view missing = missing_beside_beds(first, view);
+    const std::string_view missing = missing_besides_beds(first, view);
     if (missing.empty()) return;
     throw InputError(
         fmt::format("{}: its run stored beds without {}; run the scene again with "
@@ -270,7 +270,7 @@ Snapshot StoredBeds::read(std::size_t number, const Snapshot& outline) const {
     if (!snapshot.nodata.empty() && !read.nodata.empty()) snapshot.nodata = std::move(read.nodata);
     snapshot.step = bed.step;
     snapshot.time = bed.time;
-    leave_what_bed_tells(snapshot);
+    keep_fields_of_bed(snapshot);
     return snapshot;
 }
 
@@ -305,7 +305,7 @@ std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string
                         file.string()));
     const Table table = parse_csv_table({file.string(), read_input_file(file)});
     const MeasureSuite suite(measured_landform(first_), first_,
-                             {run_.scene.output.channel_area, lives_in_metres(run_.scene)});
+                             {run_.scene.output.channel_area, uses_metres(run_.scene)});
     RowGatherer gatherer(names, suite.columns(), first_);
     const TableColumn* steps = table.find("step");
     const TableColumn* times = table.find("time");
@@ -313,7 +313,7 @@ std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string
         throw InputError(file.string() + ": has no step or time; run the scene again");
     for (std::size_t i = 0; i < table.rows(); ++i) {
         Snapshot at;
-        at.step = whole_of(steps->values[i]);
+        at.step = truncated(steps->values[i]);
         at.time = times->values[i];
         while (rows.size() < beds_.size() && at.step > beds_[rows.size()].step)
             rows.push_back(gatherer.rows());

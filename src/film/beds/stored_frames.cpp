@@ -151,7 +151,7 @@ StoredFrames::Drawn StoredFrames::draw(const std::vector<std::int64_t>& numbers,
     const bool with_layers = scene_.output.exr_frames;
     const auto painter = make_frame_painter(
         scene_, beds_.first(), work.backend, pool,
-        with_layers ? PaintedFrames::pictures_and_layers : PaintedFrames::pictures);
+        with_layers ? PaintedContent::pictures_and_layers : PaintedContent::pictures);
     const RenderingEnvironment environment = painter->record().environment;
     const std::string drawn_by = environment_text(environment);
     const PictureFacts facts{resolved_, scene_, beds_.inputs(), environment};

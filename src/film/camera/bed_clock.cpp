@@ -13,7 +13,7 @@ namespace fumon {
 
 namespace {
 
-constexpr int most_looked_at = 256;  // cells along each side
+constexpr int sampled_cells_per_side = 256;  // cells along each side
 
 /// Lambert's light on a cell, 0 … 1.
 double light_on(const Snapshot& snapshot, int x, int y, int stride) {
@@ -55,7 +55,7 @@ std::size_t stride_over(std::size_t beds, const Film& film) {
 }
 
 double visible_change(const Snapshot& one, const Snapshot& other) {
-    const int stride = std::max(1, std::max(one.bed.nx(), one.bed.ny()) / most_looked_at);
+    const int stride = std::max(1, std::max(one.bed.nx(), one.bed.ny()) / sampled_cells_per_side);
     double sum = 0.0;
     std::size_t count = 0;
     for (int y = 0; y < one.bed.ny(); y += stride) {

@@ -11,8 +11,8 @@ namespace fumon {
 
 namespace {
 
-constexpr int samples_of_a_way = 6000;  // about as many as a minute has frames, three times over
-constexpr int lifted_stretch = samples_of_a_way / 12;  // before and after what lifts the way
+constexpr int samples_per_path = 6000;  // about as many as a minute has frames, three times over
+constexpr int lift_margin_samples = samples_per_path / 12;  // before and after what lifts the way
 constexpr std::size_t numbers = 10;
 
 /// All numbers of a pose, the focal length as its logarithm.
@@ -42,7 +42,7 @@ PoseNumbers mixed(const PoseNumbers& a, const PoseNumbers& b, double share) {
 }
 
 /// Distance by which knots are set and the pace is kept.
-double way_between(const CameraPose& a, const CameraPose& b) {
+double path_distance(const CameraPose& a, const CameraPose& b) {
     const double eye = glm::length(b.eye - a.eye);
     return eye > 1e-9 ? eye : glm::length(b.look_at - a.look_at);
 }
@@ -75,11 +75,11 @@ std::vector<CameraPose> sampled(const std::vector<CameraPose>& poses) {
     points.push_back(mirrored(points[spans + 1], points[spans]));
     std::vector<double> knots{0.0};
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const double way = way_between(pose_of(points[i]), pose_of(points[i + 1]));
+        const double way = path_distance(pose_of(points[i]), pose_of(points[i + 1]));
         knots.push_back(knots.back() + std::max(std::sqrt(way), 1e-3));
     }
     std::vector<CameraPose> samples;
-    const auto in_a_span = static_cast<std::size_t>(samples_of_a_way) / spans + 1;
+    const auto in_a_span = static_cast<std::size_t>(samples_per_path) / spans + 1;
     for (std::size_t span = 0; span < spans; ++span) {
         const std::array<PoseNumbers, 4> four{points[span], points[span + 1], points[span + 2],
                                               points[span + 3]};
@@ -112,17 +112,19 @@ void lift(std::vector<CameraPose>& samples, const CameraPath::Floor& floor) {
     std::vector<double> largest(samples.size());
     for (int i = 0; i < count; ++i) {
         double most = 0.0;
-        for (int j = i - 2 * lifted_stretch; j <= i + 2 * lifted_stretch; ++j)
+        for (int j = i - 2 * lift_margin_samples; j <= i + 2 * lift_margin_samples; ++j)
             most = std::max(most, needed[clamped(j)]);
         largest[clamped(i)] = most;
     }
     for (int pass = 0; pass < 2; ++pass) {  // twice: no kinks
         std::vector<double> mean(samples.size());
         double sum = 0.0;
-        for (int j = -lifted_stretch; j <= lifted_stretch; ++j) sum += largest[clamped(j)];
+        for (int j = -lift_margin_samples; j <= lift_margin_samples; ++j)
+            sum += largest[clamped(j)];
         for (int i = 0; i < count; ++i) {
-            mean[clamped(i)] = sum / (2 * lifted_stretch + 1);
-            sum += largest[clamped(i + 1 + lifted_stretch)] - largest[clamped(i - lifted_stretch)];
+            mean[clamped(i)] = sum / (2 * lift_margin_samples + 1);
+            sum += largest[clamped(i + 1 + lift_margin_samples)] -
+                   largest[clamped(i - lift_margin_samples)];
         }
         largest = std::move(mean);
     }
@@ -139,7 +141,7 @@ CameraPath::CameraPath(const std::vector<CameraPose>& poses, const Floor& floor,
     distances_.push_back(0.0);
     for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
         length_ += glm::length(samples_[i + 1].eye - samples_[i].eye);
-        distances_.push_back(distances_.back() + way_between(samples_[i], samples_[i + 1]));
+        distances_.push_back(distances_.back() + path_distance(samples_[i], samples_[i + 1]));
     }
 }
 

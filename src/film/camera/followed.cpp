@@ -18,12 +18,12 @@ namespace fumon {
 
 namespace {
 
-constexpr int moments_of_shot = 240;  // at most, at which the dune is looked for
-constexpr int places_of_shot = 25;
-constexpr double smoothed_share = 0.2;    // of the shot, before and after a place
-constexpr double leap_of_volume = 1.3;    // from which on it is another piece
-constexpr double passing_over = 0.06;     // of the shot, in which a leap fades to 1/e
-constexpr double reach_of_breadth = 1.5;  // how far a dune may have gone from bed to bed
+constexpr int shot_sample_count = 240;  // at most, at which the dune is looked for
+constexpr int shot_position_count = 25;
+constexpr double smoothing_span_share = 0.2;   // of the shot, before and after a place
+constexpr double volume_jump_ratio = 1.3;      // from which on it is another piece
+constexpr double jump_decay_share = 0.06;      // of the shot, in which a leap fades to 1/e
+constexpr double search_reach_breadths = 1.5;  // how far a dune may have gone from bed to bed
 
 [[noreturn]] void refuse(const Film& film, std::size_t shot, const char* key,
                          const std::string& why) {
@@ -52,36 +52,36 @@ class DuneTracker {
     bool take(const Snapshot& bed, double fading) {
         const std::vector<Dune> dunes = dunes_of(bed);
         const double reach =
-            std::max(3.0, reach_of_breadth * std::sqrt(static_cast<double>(dune_.area)));
-        const auto way_to = [&](const Dune& dune) {
+            std::max(3.0, search_reach_breadths * std::sqrt(static_cast<double>(dune_.area)));
+        const auto offset_to = [&](const Dune& dune) {
             return glm::dvec2(shortest(dune.centre_x - dune_.centre_x, bed.bed.nx(), periodic_),
                               shortest(dune.centre_y - dune_.centre_y, bed.bed.ny(), periodic_));
         };
         const auto nearest = std::ranges::min_element(
-            dunes, {}, [&](const Dune& dune) { return glm::length(way_to(dune)); });
-        if (nearest == dunes.end() || glm::length(way_to(*nearest)) > reach) return false;
+            dunes, {}, [&](const Dune& dune) { return glm::length(offset_to(dune)); });
+        if (nearest == dunes.end() || glm::length(offset_to(*nearest)) > reach) return false;
         const double ratio = nearest->volume / dune_.volume;
-        if (std::max(ratio, 1.0 / ratio) > leap_of_volume) leap_ -= way_to(*nearest);
-        place_ += way_to(*nearest);
-        leap_ *= fading;
+        if (std::max(ratio, 1.0 / ratio) > volume_jump_ratio) jump_ -= offset_to(*nearest);
+        place_ += offset_to(*nearest);
+        jump_ *= fading;
         dune_ = *nearest;
         return true;
     }
 
-    [[nodiscard]] glm::dvec2 place() const { return place_ + leap_; }
+    [[nodiscard]] glm::dvec2 place() const { return place_ + jump_; }
     [[nodiscard]] double height() const { return dune_.height; }
 
   private:
     Dune dune_;
     glm::dvec2 place_;
-    glm::dvec2 leap_{0.0};
+    glm::dvec2 jump_{0.0};
     bool periodic_;
 };
 
 /// The value at `share` of the line through values at even shares, those nearby counting most.
 glm::dvec3 smoothed(const std::vector<glm::dvec3>& values, double share) {
     const double last = std::max(1.0, static_cast<double>(values.size() - 1));
-    const double reach = std::max(smoothed_share, 1.5 / last);
+    const double reach = std::max(smoothing_span_share, 1.5 / last);
     double weights = 0.0;
     double first = 0.0;
     double second = 0.0;
@@ -152,11 +152,11 @@ FollowedDune followed_dune(const Film& film, std::size_t shot, const FilmStage& 
         return glm::dvec3(place,
                           stage.copies.raised(stage.copies.at(place), block.z(0.5 * height)));
     };
-    const int moments =
-        static_cast<int>(std::min<std::size_t>(moments_of_shot, clock.latest() - clock.earliest()));
+    const int moments = static_cast<int>(
+        std::min<std::size_t>(shot_sample_count, clock.latest() - clock.earliest()));
     DuneTracker tracker(dune, *first);
     std::vector<glm::dvec3> places{on_stage(tracker.place(), tracker.height())};
-    const double fading = moments > 0 ? elementary::exp(-1.0 / (passing_over * moments)) : 1.0;
+    const double fading = moments > 0 ? elementary::exp(-1.0 / (jump_decay_share * moments)) : 1.0;
     std::size_t shown = clock.bed_at(0.0);
     for (int i = 1; i <= moments; ++i) {
         const std::size_t next = clock.bed_at(static_cast<double>(i) / moments);
@@ -186,7 +186,7 @@ FollowedDune followed_dune(const Film& film, std::size_t shot, const FilmStage& 
         std::sqrt(static_cast<double>(dune.area) /
                   static_cast<double>(first->bed.nx() * std::int64_t{first->bed.ny()}) *
                   stage.block.width_x * stage.block.width_y);
-    const int count = moments > 0 ? places_of_shot : 1;
+    const int count = moments > 0 ? shot_position_count : 1;
     for (int i = 0; i < count; ++i)
         followed.places.push_back(
             smoothed(places, count > 1 ? static_cast<double>(i) / (count - 1) : 0.0));
@@ -221,10 +221,10 @@ std::vector<glm::dvec3> followed_stream(const Film& film, std::size_t shot, cons
                         bed.step, length));
     }
     std::vector<glm::dvec3> smooth;
-    constexpr int places_of_stream = 13;
-    smooth.reserve(places_of_stream);
-    for (int i = 0; i < places_of_stream; ++i)
-        smooth.push_back(smoothed(points, static_cast<double>(i) / (places_of_stream - 1)));
+    constexpr int stream_position_count = 13;
+    smooth.reserve(stream_position_count);
+    for (int i = 0; i < stream_position_count; ++i)
+        smooth.push_back(smoothed(points, static_cast<double>(i) / (stream_position_count - 1)));
     return smooth;
 }
 

@@ -46,7 +46,7 @@ FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& s
     view.camera.turn = 0.0;
     view.camera.roll = 0.0;
     view.overlays = film.overlays;
-    if (film.settings.background == FilmGround::transparent) {
+    if (film.settings.background == FilmBackground::transparent) {
         view.look.background = Background::transparent;
         if (beds.scene().view.look.ground == Ground::endless) {
             throw InputError(film.at("film.background") +

@@ -36,12 +36,12 @@ enum class Move {
     follow_stream
 };
 enum class Transition { cut, cross_fade };
-enum class CardPlace { start, end };
-enum class CardGround { picture, dark, blurred };
+enum class CardPosition { start, end };
+enum class CardBackground { picture, dark, blurred };
 enum class Plates { translucent, none };
 
 /// What stands behind the bed.
-enum class FilmGround { scene, transparent };
+enum class FilmBackground { scene, transparent };
 
 /// How several runs stand in one picture.
 enum class PanesShow { grid, wipe, difference };
@@ -67,7 +67,7 @@ struct FilmSettings {
     std::int64_t supersampling = 0;  ///< 0: the scene's
     double cap_height = 28.0;        ///< of captions, pixels where the shorter side has 1080
     Plates plates = Plates::translucent;
-    FilmGround background = FilmGround::scene;
+    FilmBackground background = FilmBackground::scene;
     double poster_second = -1.0;  ///< below 0: the middle
     bool draft = false;           ///< coarser ground, encoded quickly
 };
@@ -122,8 +122,8 @@ struct Excerpt {
 
 /// Large lettering at the film's start or end.
 struct Card {
-    CardPlace place = CardPlace::start;
-    CardGround ground = CardGround::picture;
+    CardPosition place = CardPosition::start;
+    CardBackground ground = CardBackground::picture;
     double seconds = 4.0;
     std::string title;               ///< large
     std::vector<std::string> lines;  ///< below it

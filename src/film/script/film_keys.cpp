@@ -52,8 +52,8 @@ void list_film(FilmSettings& film, KeyTable& table) {
         {.help = "what overlays stand on"});
     table.choice(
         "film.background", film.background,
-        {{FilmGround::scene, "scene", "as the run's look.background says"},
-         {FilmGround::transparent, "transparent",
+        {{FilmBackground::scene, "scene", "as the run's look.background says"},
+         {FilmBackground::transparent, "transparent",
           "nothing: the block alone, with alpha where the format has it, elsewhere on white"}},
         {.help = "what stands behind the bed; alpha have poster, sheet, " +
                  transparent_format_names()});
@@ -111,11 +111,11 @@ void list_key(ShotKey& key, const std::string& path, KeyTable& table) {
     const char* place = "east and north of the bed's south-western corner, and above the bed there";
     table.real_list(path + ".at", key.at, 0, 3,
                     {.unit = "m or sites",
-                     .range = {-largest_place, largest_place},
+                     .range = {-largest_coordinate, largest_coordinate},
                      .help = std::string("where the camera stands: ") + place});
     table.real_list(path + ".look_at", key.look_at, 0, 3,
                     {.unit = "m or sites",
-                     .range = {-largest_place, largest_place},
+                     .range = {-largest_coordinate, largest_coordinate},
                      .help = "what it looks at, likewise; empty: the shot's subject"});
     list_light(path, key.focal_length, key.sun_azimuth, key.sun_elevation, key.exposure, "shot",
                "as the shot says", table);
@@ -187,7 +187,7 @@ void list_shot(Shot& shot, const std::string& path, KeyTable& table) {
     table.real_list(
         path + ".subject", shot.subject, 0, 3,
         {.unit = "m or sites",
-         .range = {-largest_place, largest_place},
+         .range = {-largest_coordinate, largest_coordinate},
          .help = "what the camera looks at, as camera.look_at; empty: the bed's middle"});
     table.real(path + ".turn", shot.turn,
                {.unit = "degrees", .range = {-3600, 3600}, .help = "of an orbit, clockwise"});
@@ -230,15 +230,17 @@ void list_excerpt(Excerpt& excerpt, const std::string& path, KeyTable& table) {
 }
 
 void list_card(Card& card, const std::string& path, KeyTable& table) {
-    table.choice(path + ".place", card.place,
-                 {{CardPlace::start, "start", "of the film"}, {CardPlace::end, "end", "of it"}},
-                 {.help = "where it stands"});
-    table.choice(path + ".ground", card.ground,
-                 {{CardGround::picture, "picture", "over the first or last seconds of the shots"},
-                  {CardGround::dark, "dark", "before or after the shots, on a dark ground"},
-                  {CardGround::blurred, "blurred",
-                   "before or after them, on their first or last picture out of focus"}},
-                 {.help = "what it stands on"});
+    table.choice(
+        path + ".place", card.place,
+        {{CardPosition::start, "start", "of the film"}, {CardPosition::end, "end", "of it"}},
+        {.help = "where it stands"});
+    table.choice(
+        path + ".ground", card.ground,
+        {{CardBackground::picture, "picture", "over the first or last seconds of the shots"},
+         {CardBackground::dark, "dark", "before or after the shots, on a dark ground"},
+         {CardBackground::blurred, "blurred",
+          "before or after them, on their first or last picture out of focus"}},
+        {.help = "what it stands on"});
     table.real(path + ".seconds", card.seconds,
                {.unit = "s", .range = {0, 600, true}, .help = "its length"});
     table.text(path + ".title", card.title,

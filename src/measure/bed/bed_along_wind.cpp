@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/whole_number.h"
+#include "base/truncation.h"
 
 namespace fumon {
 
@@ -18,14 +18,14 @@ std::array<double, 4> convolution(double beyond) {
 }
 
 int cell_of(double cell, int count, bool periodic) {
-    if (!periodic) return whole_within(cell, 0, count - 1);
-    return whole_within(cell - count * std::floor(cell / count), 0, count - 1);
+    if (!periodic) return truncated_within(cell, 0, count - 1);
+    return truncated_within(cell - count * std::floor(cell / count), 0, count - 1);
 }
 
 /// Turned by quarters: the cell (x, y) of the result is the cell origin + x·way + y·left.
-BedAlongWind turned_by_quarters(const Snapshot& snapshot, const Way& way) {
+BedAlongWind turned_by_quarters(const Snapshot& snapshot, const HorizontalDirection& direction) {
     const Grid& bed = snapshot.bed;
-    const bool across = way.x == 0.0;
+    const bool across = direction.x == 0.0;
     BedAlongWind turned{across ? Grid(bed.ny(), bed.nx()) : Grid(bed.nx(), bed.ny()),
                         snapshot.periodic};
     const auto from = [](double direction, int cell, int count) {
@@ -33,8 +33,9 @@ BedAlongWind turned_by_quarters(const Snapshot& snapshot, const Way& way) {
     };
     for (int y = 0; y < turned.bed.ny(); ++y) {
         for (int x = 0; x < turned.bed.nx(); ++x) {
-            turned.bed(x, y) = across ? bed(from(-way.y, y, bed.nx()), from(way.y, x, bed.ny()))
-                                      : bed(from(way.x, x, bed.nx()), from(way.x, y, bed.ny()));
+            turned.bed(x, y) =
+                across ? bed(from(-direction.y, y, bed.nx()), from(direction.y, x, bed.ny()))
+                       : bed(from(direction.x, x, bed.nx()), from(direction.x, y, bed.ny()));
         }
     }
     return turned;
@@ -61,18 +62,19 @@ double height_between(const Grid& bed, bool periodic, double x, double y) {
     return height;
 }
 
-BedAlongWind bed_along_wind(const Snapshot& snapshot, const Way& way) {
-    if (way.is_east()) return {snapshot.bed, snapshot.periodic};
+BedAlongWind bed_along_wind(const Snapshot& snapshot, const HorizontalDirection& direction) {
+    if (direction.is_east()) return {snapshot.bed, snapshot.periodic};
     const Grid& bed = snapshot.bed;
-    const double rows_of_dx = snapshot.scale.dy / snapshot.scale.dx;
-    const bool on_axis = way.x == 0.0 || way.y == 0.0;
-    if (on_axis && (rows_of_dx == 1.0 || way.y == 0.0)) return turned_by_quarters(snapshot, way);
+    const double cell_aspect = snapshot.scale.dy / snapshot.scale.dx;
+    const bool on_axis = direction.x == 0.0 || direction.y == 0.0;
+    if (on_axis && (cell_aspect == 1.0 || direction.y == 0.0))
+        return turned_by_quarters(snapshot, direction);
     const double wide = bed.nx();
-    const double high = bed.ny() * rows_of_dx;
+    const double high = bed.ny() * cell_aspect;
     double share = 1.0;
     if (!snapshot.periodic) {
-        const double c = std::abs(way.x);
-        const double s = std::abs(way.y);
+        const double c = std::abs(direction.x);
+        const double s = std::abs(direction.y);
         share = std::min(wide / (wide * c + high * s), high / (wide * s + high * c));
     }
     const int nx = std::max(1, static_cast<int>(share * wide));
@@ -82,10 +84,10 @@ BedAlongWind bed_along_wind(const Snapshot& snapshot, const Way& way) {
         const double across = y - 0.5 * (ny - 1);
         for (int x = 0; x < nx; ++x) {
             const double along = x - 0.5 * (nx - 1);
-            const double east = along * way.x - across * way.y;
-            const double north = along * way.y + across * way.x;
+            const double east = along * direction.x - across * direction.y;
+            const double north = along * direction.y + across * direction.x;
             turned.bed(x, y) = height_between(bed, snapshot.periodic, 0.5 * (bed.nx() - 1) + east,
-                                              0.5 * (bed.ny() - 1) + north / rows_of_dx);
+                                              0.5 * (bed.ny() - 1) + north / cell_aspect);
         }
     }
     return turned;

@@ -20,7 +20,7 @@
 #include "measure/bed/crest_orientation.h"
 #include "measure/bed/crest_theory.h"
 #include "measure/bed/dunes.h"
-#include "measure/bed/lone_dunes.h"
+#include "measure/bed/isolated_dunes.h"
 #include "measure/bed/slip_faces.h"
 #include "measure/bed/slopes.h"
 #include "measure/bed/wavelength.h"
@@ -43,7 +43,7 @@ auto of_whole_beds(Finding find) {
 
 /// A bed along the wind; of winds that cancel, along x.
 BedAlongWind along_the_wind(const Snapshot& snapshot) {
-    return bed_along_wind(snapshot, downwind(snapshot).value_or(Way{}));
+    return bed_along_wind(snapshot, downwind(snapshot).value_or(HorizontalDirection{}));
 }
 
 /// The bed of the row before.
@@ -52,19 +52,19 @@ struct BedBefore {
     std::int64_t step = 0;
 };
 
-void carry_before(BedBefore& before, StateCarrier& carrier) {
+void serialise_previous_bed(BedBefore& before, StateArchive& archive) {
     std::vector<std::int64_t> size{before.bed.nx(), before.bed.ny()};
-    carrier.count("step_measured_before", before.step);
-    carrier.values("size_measured_before", std::span(size));
+    archive.count("step_measured_before", before.step);
+    archive.values("size_measured_before", std::span(size));
     std::vector<double> heights(before.bed.values().begin(), before.bed.values().end());
-    carrier.list("bed_measured_before", heights);
+    archive.list("bed_measured_before", heights);
     constexpr std::int64_t longest = std::int64_t{1} << 30;
     if (size[0] < 0 || size[1] < 0 || size[0] > longest || size[1] > longest ||
         !std::cmp_equal(size[0] * size[1], heights.size()))
-        carrier.refuse("its bed_measured_before has another size");
+        archive.refuse("its bed_measured_before has another size");
     for (const double height : heights) {
         if (!(std::abs(height) <= largest_field_value))
-            carrier.refuse(fmt::format("its bed_measured_before has a height of {:g}", height));
+            archive.refuse(fmt::format("its bed_measured_before has a height of {:g}", height));
     }
     before.bed = Grid(static_cast<int>(size[0]), static_cast<int>(size[1]));
     std::ranges::copy(heights, before.bed.values().begin());
@@ -77,18 +77,20 @@ bool is_of_sand(const Snapshot& first) {
     return landform == Landform::bed || landform == Landform::profile || landform == Landform::pile;
 }
 
-/// The angle of crests against the normal to a wind toward `way`, of one against the normal to x.
-double turned_against(const Way& way, double degrees) {
-    double turned = degrees - elementary::atan2(way.y, way.x) * degrees_per_radian;
+/// The angle of crests against the normal to a wind toward `direction`, of one against the normal
+/// to x.
+double turned_against(const HorizontalDirection& direction, double degrees) {
+    double turned = degrees - elementary::atan2(direction.y, direction.x) * degrees_per_radian;
     while (turned <= -90.0) turned += 180.0;
     while (turned > 90.0) turned -= 180.0;
     return turned;
 }
 
 /// The way of the wind over a snapshot's dunes.
-DuneWay dune_way(const Snapshot& snapshot) {
-    const std::optional<Way> way = downwind(snapshot);
-    return {way.value_or(Way{}), snapshot.scale.dy / snapshot.scale.dx, way.has_value()};
+WindOnGrid wind_on_grid(const Snapshot& snapshot) {
+    const std::optional<HorizontalDirection> direction = downwind(snapshot);
+    return {direction.value_or(HorizontalDirection{}), snapshot.scale.dy / snapshot.scale.dx,
+            direction.has_value()};
 }
 
 MeasureGroup no_columns() {
@@ -144,14 +146,15 @@ MeasureGroup celerity_group() {
     MeasureGroup group = group_of<Celerity>(
         of_whole_beds([before](const Snapshot& snapshot) {
             Celerity celerity;
-            const std::optional<Way> way = downwind(snapshot);
-            if (way && snapshot.periodic && !before->bed.empty() && snapshot.step > before->step) {
+            const std::optional<HorizontalDirection> direction = downwind(snapshot);
+            if (direction && snapshot.periodic && !before->bed.empty() &&
+                snapshot.step > before->step) {
                 Snapshot earlier;
                 earlier.step = before->step;
                 earlier.bed = std::move(before->bed);
                 earlier.scale = snapshot.scale;
                 earlier.periodic = true;
-                celerity = celerity_along(earlier, snapshot, *way);
+                celerity = celerity_along(earlier, snapshot, *direction);
             }
             *before = {snapshot.bed, snapshot.step};
             return celerity;
@@ -160,18 +163,19 @@ MeasureGroup celerity_group() {
           &Celerity::sites_per_step},
          {"celerity_correlation", "", "how well the bed before fits when moved so",
           &Celerity::correlation}});
-    group.carry = [before](StateCarrier& carrier) { carry_before(*before, carrier); };
+    group.serialise = [before](StateArchive& archive) { serialise_previous_bed(*before, archive); };
     return group;
 }
 
 MeasureGroup slope_group() {
     return group_of<BedSlopes>(
         [](const Snapshot& snapshot) -> std::optional<BedSlopes> {
-            const std::optional<Way> way = downwind(snapshot);
-            if (!way) return std::nullopt;
-            if (way->is_east()) return bed_slopes(snapshot.bed, snapshot.periodic, snapshot.nodata);
+            const std::optional<HorizontalDirection> direction = downwind(snapshot);
+            if (!direction) return std::nullopt;
+            if (direction->is_east())
+                return bed_slopes(snapshot.bed, snapshot.periodic, snapshot.nodata);
             if (!snapshot.nodata.empty()) return std::nullopt;
-            const BedAlongWind along = bed_along_wind(snapshot, *way);
+            const BedAlongWind along = bed_along_wind(snapshot, *direction);
             return bed_slopes(along.bed, along.periodic);
         },
         {{"stoss_slope", "heights/site", "mean of the sites that rise downwind (face the wind)",
@@ -206,9 +210,9 @@ MeasureGroup crest_group() {
             Crests crests{crest_orientation(snapshot.bed, snapshot.periodic),
                           crest_defects(along.bed, along.periodic,
                                         wavelength_spectrum(along.bed, along.periodic))};
-            const std::optional<Way> way = downwind(snapshot);
-            if (way && !way->is_east())
-                crests.orientation.degrees = turned_against(*way, crests.orientation.degrees);
+            const std::optional<HorizontalDirection> direction = downwind(snapshot);
+            if (direction && !direction->is_east())
+                crests.orientation.degrees = turned_against(*direction, crests.orientation.degrees);
             return crests;
         }),
         {{"crest_orientation", "degrees",
@@ -225,7 +229,7 @@ MeasureGroup crest_group() {
 MeasureGroup dune_group() {
     return group_of<DuneField>(
         of_whole_beds([](const Snapshot& snapshot) {
-            return separate_dunes(snapshot.bed, snapshot.periodic, {}, dune_way(snapshot));
+            return separate_dunes(snapshot.bed, snapshot.periodic, {}, wind_on_grid(snapshot));
         }),
         {{"dune_count", "", "pieces above 0.3 of the highest cell, of 20 cells or more",
           [](const DuneField& field) { return static_cast<double>(field.dunes.size()); }},
@@ -239,20 +243,20 @@ MeasureGroup dune_group() {
           &DuneField::mean_horn_lag}});
 }
 
-MeasureGroup lone_dune_group(const Snapshot& first) {
+MeasureGroup isolated_dune_group(const Snapshot& first) {
     if (first.winds.empty() || field_of(first.fields, "sand") == nullptr) return no_columns();
-    return group_of<LoneDunes>(
+    return group_of<IsolatedDunes>(
         of_whole_beds([](const Snapshot& snapshot) {
             const Grid* sand = field_of(snapshot.fields, "sand");
-            return lone_dunes(sand != nullptr ? *sand : snapshot.bed, snapshot.periodic,
-                              dune_way(snapshot));
+            return isolated_dunes(sand != nullptr ? *sand : snapshot.bed, snapshot.periodic,
+                                  wind_on_grid(snapshot));
         }),
         {{"lone_dune_count", "", "dunes with one summit, which touch no other",
-          [](const LoneDunes& dunes) { return static_cast<double>(dunes.count); }},
+          [](const IsolatedDunes& dunes) { return static_cast<double>(dunes.count); }},
          {"lone_dune_horns_downwind", "", "share of them whose horns point downwind",
-          &LoneDunes::share_horns_downwind},
+          &IsolatedDunes::share_horns_downwind},
          {"lone_dune_height_to_width", "heights/site", "median of their height over their width",
-          &LoneDunes::height_to_width}});
+          &IsolatedDunes::height_to_width}});
 }
 
 MeasureGroup crest_direction_group(const Snapshot& first) {

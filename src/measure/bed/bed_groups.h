@@ -19,7 +19,7 @@ MeasureGroup crest_group();
 /// Separate dunes.
 MeasureGroup dune_group();
 /// Dunes that stand alone, of a model that tells its winds and its sand; of others no columns.
-MeasureGroup lone_dune_group(const Snapshot& first);
+MeasureGroup isolated_dune_group(const Snapshot& first);
 /// Which way crests run, and which way theories say that they do under the run's winds, of a model
 /// that tells these; of others no columns.
 MeasureGroup crest_direction_group(const Snapshot& first);

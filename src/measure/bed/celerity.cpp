@@ -15,7 +15,7 @@ namespace fumon {
 namespace {
 
 constexpr double least_correlation = 0.3;
-constexpr double as_good_as_the_highest = 0.8;
+constexpr double comparable_peak_share = 0.8;
 
 /// The displacement at the peak of correlations at shifts of 0, 1, 2 …, of which the second half
 /// are negative ones.
@@ -29,7 +29,7 @@ Celerity celerity_of(const std::vector<double>& correlation, std::int64_t steps)
     Celerity result;
     result.correlation = highest;
     if (highest < least_correlation) return result;
-    const double enough = as_good_as_the_highest * highest;
+    const double enough = comparable_peak_share * highest;
     const auto is_peak = [&](int shift) {
         return at(shift) >= enough && at(shift) >= at(shift - 1) && at(shift) >= at(shift + 1);
     };
@@ -80,13 +80,13 @@ double mean_of(const Grid& bed) {
     return sum / bed.ny();
 }
 
-/// Correlations of a bed with itself later, displaced by 0, 1, 2 … sites along `way` and back: over
-/// as many of its rows as keep the work within bounds.
+/// Correlations of a bed with itself later, displaced by 0, 1, 2 … sites along `direction` and
+/// back: over as many of its rows as keep the work within bounds.
 std::vector<double> correlations_along(const Snapshot& earlier, const Snapshot& later,
-                                       const Way& way) {
+                                       const HorizontalDirection& direction) {
     constexpr double most_work = 3e7;  // products
     const Grid& before = earlier.bed;
-    const double rows_of_dx = later.scale.dy / later.scale.dx;
+    const double cell_aspect = later.scale.dy / later.scale.dx;
     const int reach = before.nx() / 2;
     const double work = static_cast<double>(before.size()) * (2.0 * reach + 1.0);
     const int every = 1 + static_cast<int>(work / most_work);
@@ -102,8 +102,8 @@ std::vector<double> correlations_along(const Snapshot& earlier, const Snapshot& 
     for (int y = 0; y < before.ny(); y += every) {
         const auto row = before.row(y);
         for (int shift = -reach; shift <= reach; ++shift) {
-            const double east = shift * way.x;
-            const double north = y + shift * way.y / rows_of_dx;
+            const double east = shift * direction.x;
+            const double north = y + shift * direction.y / cell_aspect;
             row_between(later.bed, east, north, moved);
             double product = 0.0;
             for (std::size_t x = 0; x < row.size(); ++x)
@@ -129,14 +129,15 @@ Celerity celerity_along_x(const Grid& earlier, const Grid& later, std::int64_t s
     return celerity_of(cross_correlation_along_x(earlier, later), steps);
 }
 
-Celerity celerity_along(const Snapshot& earlier, const Snapshot& later, const Way& way) {
+Celerity celerity_along(const Snapshot& earlier, const Snapshot& later,
+                        const HorizontalDirection& direction) {
     const std::int64_t steps = later.step - earlier.step;
     const bool square = later.scale.dx == later.scale.dy;
-    if (way.y == 0.0 || (way.x == 0.0 && square))
-        return celerity_along_x(bed_along_wind(earlier, way).bed, bed_along_wind(later, way).bed,
-                                steps);
+    if (direction.y == 0.0 || (direction.x == 0.0 && square))
+        return celerity_along_x(bed_along_wind(earlier, direction).bed,
+                                bed_along_wind(later, direction).bed, steps);
     if (steps < 1) throw Error("a celerity needs two snapshots at least one step apart");
-    return celerity_of(correlations_along(earlier, later, way), steps);
+    return celerity_of(correlations_along(earlier, later, direction), steps);
 }
 
 }  // namespace fumon

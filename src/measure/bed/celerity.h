@@ -35,6 +35,7 @@ Celerity celerity_along_x(const Grid& earlier, const Grid& later, std::int64_t s
 /// cells it is celerity_along_x of the turned bed; else displacements of up to half the columns
 /// are tried site by site, with heights linear between cells, over all rows or, in large beds,
 /// every other, third … of them.
-Celerity celerity_along(const Snapshot& earlier, const Snapshot& later, const Way& way);
+Celerity celerity_along(const Snapshot& earlier, const Snapshot& later,
+                        const HorizontalDirection& direction);
 
 }  // namespace fumon

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "measure/bed/row_departures.h"
+#include "measure/bed/detrended_row.h"
 #include "measure/bed/row_waves.h"
 #include "measure/shared/undefined.h"
 
@@ -48,7 +48,7 @@ double crest_to_trough_height(const Grid& bed, bool periodic) {
     double sum = 0.0;
     std::int64_t waves = 0;
     for (int y = 0; y < bed.ny(); ++y) {
-        row_departures(bed.row(y), periodic, departures);
+        detrend_row(bed.row(y), periodic, departures);
         find_upward_crossings(departures, periodic, sites);
         if (periodic && !sites.empty()) sites.push_back(sites.front() + bed.nx());
         for (std::size_t wave = 1; wave < sites.size(); ++wave) {

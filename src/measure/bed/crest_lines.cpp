@@ -7,8 +7,8 @@
 
 #include "base/elementary_angle.h"
 #include "base/grid.h"
+#include "measure/bed/detrended_row.h"
 #include "measure/bed/row_crests.h"
-#include "measure/bed/row_departures.h"
 
 namespace fumon {
 
@@ -112,7 +112,7 @@ double deviation_of_rows(const Grid& bed, bool periodic) {
     std::vector<double> departures(static_cast<std::size_t>(bed.nx()));
     double squares = 0.0;
     for (int y = 0; y < bed.ny(); ++y) {
-        row_departures(bed.row(y), periodic, departures);
+        detrend_row(bed.row(y), periodic, departures);
         for (const double height : departures) squares += height * height;
     }
     return std::sqrt(squares / static_cast<double>(bed.size()));

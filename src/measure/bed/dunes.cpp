@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "measure/bed/into_box.h"
+#include "measure/bed/periodic_wrap.h"
 
 namespace fumon {
 
@@ -27,14 +27,15 @@ struct DuneRow {
 };
 
 /// From right to left, looking downwind. A cell between two strips is shared by them.
-std::vector<DuneRow> rows_of(std::span<const RowRun> runs, const DuneWay& way) {
-    struct Place {
+std::vector<DuneRow> rows_of(std::span<const RowRun> runs, const WindOnGrid& wind) {
+    struct WindCoordinates {
         double along;
         double across;
     };
     const auto place_of = [&](int x, int y) {
-        const double north = y * way.rows_of_dx;
-        return Place{x * way.way.x + north * way.way.y, north * way.way.x - x * way.way.y};
+        const double north = y * wind.cell_aspect;
+        return WindCoordinates{x * wind.direction.x + north * wind.direction.y,
+                               north * wind.direction.x - x * wind.direction.y};
     };
     double rightmost = std::numeric_limits<double>::infinity();
     for (const RowRun& run : runs) {
@@ -48,7 +49,7 @@ std::vector<DuneRow> rows_of(std::span<const RowRun> runs, const DuneWay& way) {
     };
     for (const RowRun& run : runs) {
         for (int x = run.first; x <= run.last; ++x) {
-            const Place place = place_of(x, run.y);
+            const WindCoordinates place = place_of(x, run.y);
             const double strip = std::floor(place.across - rightmost);
             const double beyond = place.across - rightmost - strip;
             const auto index = static_cast<std::size_t>(strip);
@@ -83,16 +84,16 @@ double horn(std::span<const DuneRow> side, double middle_last) {
     return reach - middle_last;
 }
 
-Dune measured(const Grid& bed, const DunePiece& piece, std::span<const RowRun> runs,
-              const DuneWay& way) {
+Dune measured(const Grid& bed, const DuneComponent& piece, std::span<const RowRun> runs,
+              const WindOnGrid& wind) {
     Dune dune;
     dune.area = piece.cells;
     double x_sum = 0.0;
     double y_sum = 0.0;
     for (const RowRun& run : runs) {
-        const int y = into_box(run.y, bed.ny());
+        const int y = wrap_periodic(run.y, bed.ny());
         for (int x = run.first; x <= run.last; ++x) {
-            const double height = bed(into_box(x, bed.nx()), y);
+            const double height = bed(wrap_periodic(x, bed.nx()), y);
             dune.height = std::max(dune.height, height);
             dune.volume += height;
         }
@@ -100,10 +101,10 @@ Dune measured(const Grid& bed, const DunePiece& piece, std::span<const RowRun> r
         x_sum += 0.5 * cells * (static_cast<double>(run.first) + run.last);
         y_sum += static_cast<double>(cells) * run.y;
     }
-    dune.centre_x = into_box(x_sum / static_cast<double>(dune.area), bed.nx());
-    dune.centre_y = into_box(y_sum / static_cast<double>(dune.area), bed.ny());
-    if (!way.known) return dune;
-    const std::vector<DuneRow> rows = rows_of(runs, way);
+    dune.centre_x = wrap_periodic(x_sum / static_cast<double>(dune.area), bed.nx());
+    dune.centre_y = wrap_periodic(y_sum / static_cast<double>(dune.area), bed.ny());
+    if (!wind.known) return dune;
+    const std::vector<DuneRow> rows = rows_of(runs, wind);
     dune.horn_lag = lag_of_ends(rows);
     const std::size_t middle = rows.size() / 2;
     dune.right_horn = horn(std::span(rows).first(middle), rows[middle].last);
@@ -139,22 +140,22 @@ void set_means(DuneField& field) {
 
 }  // namespace
 
-double horn_lag(std::span<const RowRun> runs, const DuneWay& way) {
-    return way.known ? lag_of_ends(rows_of(runs, way)) : std::numeric_limits<double>::quiet_NaN();
+double horn_lag(std::span<const RowRun> runs, const WindOnGrid& wind) {
+    return wind.known ? lag_of_ends(rows_of(runs, wind)) : std::numeric_limits<double>::quiet_NaN();
 }
 
 DuneField separate_dunes(const Grid& bed, bool periodic, const DuneCriteria& criteria,
-                         const DuneWay& way) {
+                         const WindOnGrid& wind) {
     DuneField field;
     if (bed.empty()) return field;
     const double highest = *std::max_element(bed.values().begin(), bed.values().end());
     if (!(highest > 0.0)) return field;
-    const DunePieces found = dune_pieces(bed, criteria.level_share * highest, periodic);
+    const DuneComponents found = dune_components(bed, criteria.level_share * highest, periodic);
     std::int64_t covered = 0;
-    for (const DunePiece& piece : found.pieces) {
+    for (const DuneComponent& piece : found.pieces) {
         covered += piece.cells;
         if (piece.wraps || piece.cells < criteria.least_cells) continue;
-        field.dunes.push_back(measured(bed, piece, found.runs_of(piece), way));
+        field.dunes.push_back(measured(bed, piece, found.runs_of(piece), wind));
     }
     field.covered_share = static_cast<double>(covered) / static_cast<double>(bed.size());
     set_means(field);

@@ -7,7 +7,7 @@
 
 #include "base/grid.h"
 #include "base/snapshot_lookup.h"
-#include "measure/bed/dune_pieces.h"
+#include "measure/bed/dune_components.h"
 
 namespace fumon {
 
@@ -18,10 +18,10 @@ struct DuneCriteria {
 };
 
 /// Where the wind blows to over dunes, for their horns.
-struct DuneWay {
-    Way way{};
-    double rows_of_dx = 1.0;  ///< dy/dx: how many columns' breadths a row is wide
-    bool known = true;        ///< false: dunes have no horns
+struct WindOnGrid {
+    HorizontalDirection direction{};
+    double cell_aspect = 1.0;  ///< dy/dx: how many columns' breadths a row is wide
+    bool known = true;         ///< false: dunes have no horns
 };
 
 /// One dune: a piece of the bed above the level. Looking downwind, left is left.
@@ -56,7 +56,7 @@ struct DuneField {
 };
 
 /// The horn lag of one piece's cells (Dune::horn_lag); NaN where no wind is known.
-double horn_lag(std::span<const RowRun> runs, const DuneWay& way);
+double horn_lag(std::span<const RowRun> runs, const WindOnGrid& wind);
 
 /// Dunes are the 8-connected pieces of cells higher than level_share times the highest cell, of at
 /// least least_cells cells, that do not wrap round a periodic bed. Heights are
@@ -65,6 +65,6 @@ double horn_lag(std::span<const RowRun> runs, const DuneWay& way);
 /// counts once. In a bed that is not periodic, dunes cut off by the edge count as they are. Where
 /// no cell is higher than 0 nothing is covered.
 DuneField separate_dunes(const Grid& bed, bool periodic, const DuneCriteria& criteria = {},
-                         const DuneWay& way = {});
+                         const WindOnGrid& wind = {});
 
 }  // namespace fumon

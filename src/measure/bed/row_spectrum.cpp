@@ -8,7 +8,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "measure/bed/row_departures.h"
+#include "measure/bed/detrended_row.h"
 #include "numerics/fourier_transform.h"
 
 namespace fumon {
@@ -47,8 +47,8 @@ class RowSpectra {
              std::span<const double> window = {}) {
         const auto means = row_means(bed, first, count);
         for (int row = 0; row < count; ++row, ++place) {
-            row_departures(bed.row(first + row), means[static_cast<std::size_t>(row)], periodic,
-                           departures_);
+            detrend_row(bed.row(first + row), means[static_cast<std::size_t>(row)], periodic,
+                        departures_);
             for (std::size_t x = 0; x < window.size(); ++x) departures_[x] *= window[x];
             for (std::size_t x = 0; x < departures_.size(); ++x)
                 values_[x * rows + place] = departures_[x];

@@ -6,7 +6,7 @@
 
 namespace fumon {
 
-/// The power |F(k)|² of the bed's departures along x (see row_departures) in wave numbers
+/// The power |F(k)|² of the bed's departures along x (see detrend_row) in wave numbers
 /// k = 0 … nx/2 (cycles per row), summed over the rows. The rows of a bed that is not periodic are
 /// brought to zero at their ends by a Hann window first, which widens a peak to three bins. Empty
 /// for an empty bed.

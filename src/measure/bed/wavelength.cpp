@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "measure/bed/row_departures.h"
+#include "measure/bed/detrended_row.h"
 #include "measure/bed/row_spectrum.h"
 #include "measure/bed/row_waves.h"
 #include "measure/shared/undefined.h"
@@ -66,7 +66,7 @@ double wavelength_crossings(const Grid& bed, bool periodic) {
     std::int64_t length = 0;
     std::int64_t waves = 0;
     for (int y = 0; y < bed.ny(); ++y) {
-        row_departures(bed.row(y), periodic, departures);
+        detrend_row(bed.row(y), periodic, departures);
         find_upward_crossings(departures, periodic, sites);
         if (periodic) {
             length += bed.nx();

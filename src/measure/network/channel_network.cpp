@@ -137,7 +137,7 @@ NetworkShape network_shape(const FlowRouting& routing, double threshold, const M
                            bool wraps_x) {
     const Grid area = drainage_area(routing);
     const ChannelNetwork network = channel_network(routing, area, threshold);
-    const Grid ways = longest_ways(routing);
+    const Grid ways = longest_path_lengths(routing);
     NetworkShape shape;
     if (routing.upward.empty()) return shape;
     shape.drainage_density = network.total_length /
@@ -158,7 +158,7 @@ NetworkShape network_shape(const FlowRouting& routing, double threshold, const M
     shape.hack_exponent = length_area_exponent(routing, network, area, ways);
     shape.spacing =
         4.0 * mean_channel_distance(network.order, nodata, routing.dx, routing.dy, wraps_x);
-    shape.longest_way = *std::ranges::max_element(ways.values());
+    shape.longest_path_length = *std::ranges::max_element(ways.values());
     return shape;
 }
 

@@ -47,7 +47,7 @@ struct NetworkShape {
     /// Four times the mean distance of the ground from the nearest channel: what lies between
     /// channels where they run side by side.
     double spacing = undefined;
-    double longest_way = undefined;  ///< from the divide to an outlet
+    double longest_path_length = undefined;  ///< from the divide to an outlet
 };
 
 /// As channel_network; `wraps_x` as for route_flow. Not a number where there is too little network.

@@ -38,7 +38,7 @@ MeasureGroup network_group(const Snapshot& first, double channel_area) {
          {"network_spacing", length, "four times the ground's mean distance from a channel",
           &NetworkShape::spacing},
          {"longest_flow_way", length, "of water, from the divide to where it leaves",
-          &NetworkShape::longest_way}});
+          &NetworkShape::longest_path_length}});
 }
 
 }  // namespace fumon

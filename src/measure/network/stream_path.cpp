@@ -28,7 +28,7 @@ StreamPath stream_path(const FlowRouting& routing, const Mask& nodata, int x, in
     return path;
 }
 
-std::int32_t longest_way_head(const FlowRouting& routing) {
+std::int32_t main_stream_head(const FlowRouting& routing) {
     std::vector<double> down(routing.level.size());
     std::int32_t head = FlowRouting::outlet;
     double longest = -1.0;
@@ -45,7 +45,7 @@ std::int32_t longest_way_head(const FlowRouting& routing) {
     return head;
 }
 
-Grid longest_ways(const FlowRouting& routing) {
+Grid longest_path_lengths(const FlowRouting& routing) {
     Grid ways(routing.level.nx(), routing.level.ny());
     for (auto cell = routing.upward.rbegin(); cell != routing.upward.rend(); ++cell) {
         const auto here = static_cast<std::size_t>(*cell);

@@ -19,10 +19,10 @@ StreamPath stream_path(const FlowRouting& routing, const Mask& nodata, int x, in
 
 /// The cell at which the longest way down begins: the head of the main stream, on the divide.
 /// `FlowRouting::outlet` where no cell has data.
-std::int32_t longest_way_head(const FlowRouting& routing);
+std::int32_t main_stream_head(const FlowRouting& routing);
 
 /// How far it is from each cell up to the divide, along the longest way down to it (the cell's own
 /// half widths are left out: 0 at a cell into which nothing drains).
-Grid longest_ways(const FlowRouting& routing);
+Grid longest_path_lengths(const FlowRouting& routing);
 
 }  // namespace fumon

@@ -23,7 +23,7 @@ struct Counted {
     std::optional<Avalanche> last;
 };
 
-void carry_counted(Counted& counted, StateCarrier& carrier) {
+void serialise_counted(Counted& counted, StateArchive& archive) {
     std::vector<std::int64_t> sizes;
     std::vector<std::int64_t> counts;
     for (const SizeBin& bin : counted.sizes.bins()) {
@@ -34,16 +34,16 @@ void carry_counted(Counted& counted, StateCarrier& carrier) {
     if (counted.last)
         last = {counted.last->grain, counted.last->size, counted.last->duration,
                 counted.last->topplings, counted.last->lost};
-    carrier.list("avalanche_sizes", sizes);
-    carrier.list("avalanche_counts", counts);
-    carrier.list("last_avalanche", last);
+    archive.list("avalanche_sizes", sizes);
+    archive.list("avalanche_counts", counts);
+    archive.list("last_avalanche", last);
     constexpr std::size_t numbers_of_avalanche = 5;
     if (counts.size() != sizes.size() || (!last.empty() && last.size() != numbers_of_avalanche))
-        carrier.refuse("its avalanches do not fit each other");
+        archive.refuse("its avalanches do not fit each other");
     counted = {};
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         if (sizes[i] < 1 || sizes[i] > largest_avalanche || counts[i] < 0)
-            carrier.refuse("it holds an avalanche of no possible size");
+            archive.refuse("it holds an avalanche of no possible size");
         counted.sizes.add(sizes[i], counts[i]);
     }
     if (!last.empty()) counted.last = Avalanche{last[0], last[1], last[2], last[3], last[4]};
@@ -136,7 +136,7 @@ MeasureGroup avalanche_group() {
         counted->sizes.add(avalanches);
         counted->last = avalanches.back();
     };
-    group.carry = [counted](StateCarrier& carrier) { carry_counted(*counted, carrier); };
+    group.serialise = [counted](StateArchive& archive) { serialise_counted(*counted, archive); };
     return group;
 }
 

@@ -98,9 +98,9 @@ Raster discharge(const RasterSource& source) {
 Raster change(const RasterSource& source) {
     Raster raster = height(source);
     raster.long_name = fmt::format("height of the bed less that of step {}", source.first->step);
-    const Grid former = heights_of(*source.first);
-    for (std::size_t cell = 0; cell < former.size(); ++cell)
-        raster.values.values()[cell] -= former.values()[cell];
+    const Grid previous = heights_of(*source.first);
+    for (std::size_t cell = 0; cell < previous.size(); ++cell)
+        raster.values.values()[cell] -= previous.values()[cell];
     return raster;
 }
 

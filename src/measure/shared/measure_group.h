@@ -9,7 +9,7 @@
 
 #include "base/avalanche.h"
 #include "base/snapshot.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "measure/shared/undefined.h"
 
 namespace fumon {
@@ -26,7 +26,7 @@ struct MeasureGroup {
     std::vector<MeasureColumn> columns;
     std::function<std::vector<double>(const Snapshot&)> values;
     std::function<void(std::span<const Avalanche>)> note{};  ///< where avalanches count
-    std::function<void(StateCarrier&)> carry{};              ///< what rows draw on of earlier ones
+    std::function<void(StateArchive&)> serialise{};          ///< what rows draw on of earlier ones
 };
 
 /// One measure: its column, and its value in what its group found in a snapshot.

@@ -39,13 +39,13 @@ struct BestPaths {
     std::vector<std::vector<int>> steps;  ///< row by row
 };
 
-BestPaths best_ways(const WindowedDepth& depth, int ny) {
+BestPaths best_paths(const WindowedDepth& depth, int ny) {
     const int width = depth.width();
     const auto columns = static_cast<std::size_t>(width);
-    BestPaths ways{std::vector<double>(columns, 0.0), {}};
+    BestPaths paths{std::vector<double>(columns, 0.0), {}};
     std::vector<double> before(columns);
     for (int y = 0; y < ny; ++y) {
-        std::swap(before, ways.sums);
+        std::swap(before, paths.sums);
         std::vector<int> steps(columns, 0);
         for (int column = 0; column < width; ++column) {
             const auto here = static_cast<std::size_t>(column);
@@ -58,35 +58,35 @@ BestPaths best_ways(const WindowedDepth& depth, int ny) {
                     steps[here] = step;
                 }
             }
-            ways.sums[here] = best + depth.at(column, y);
+            paths.sums[here] = best + depth.at(column, y);
         }
-        ways.steps.push_back(std::move(steps));
+        paths.steps.push_back(std::move(steps));
     }
-    return ways;
+    return paths;
 }
 
-std::vector<int> best_way(const WindowedDepth& depth, int ny) {
-    const BestPaths ways = best_ways(depth, ny);
+std::vector<int> best_path(const WindowedDepth& depth, int ny) {
+    const BestPaths paths = best_paths(depth, ny);
     std::vector<int> columns(static_cast<std::size_t>(ny));
-    auto column = static_cast<int>(std::ranges::max_element(ways.sums) - ways.sums.begin());
+    auto column = static_cast<int>(std::ranges::max_element(paths.sums) - paths.sums.begin());
     for (std::size_t y = columns.size(); y-- > 0;) {
         columns[y] = column;
-        column += ways.steps[y][static_cast<std::size_t>(column)];
+        column += paths.steps[y][static_cast<std::size_t>(column)];
     }
     return columns;
 }
 
 /// Smoothed by a Gaussian; past its ends the way goes on as it came, turned by half a turn.
-void smooth_way(std::vector<double>& way) {
+void smooth_path(std::vector<double>& path) {
     constexpr std::size_t reach = 8;  // sites, of the Gaussian
-    const std::size_t beyond = std::min(reach, way.size() - 1);
+    const std::size_t beyond = std::min(reach, path.size() - 1);
     std::vector<double> longer;
-    for (std::size_t i = beyond; i > 0; --i) longer.push_back(2.0 * way.front() - way[i]);
-    longer.insert(longer.end(), way.begin(), way.end());
+    for (std::size_t i = beyond; i > 0; --i) longer.push_back(2.0 * path.front() - path[i]);
+    longer.insert(longer.end(), path.begin(), path.end());
     for (std::size_t i = 1; i <= beyond; ++i)
-        longer.push_back(2.0 * way.back() - way[way.size() - 1 - i]);
+        longer.push_back(2.0 * path.back() - path[path.size() - 1 - i]);
     longer = gaussian_smoothed(longer, smoothing_along, false);
-    std::copy_n(longer.begin() + static_cast<std::ptrdiff_t>(beyond), way.size(), way.begin());
+    std::copy_n(longer.begin() + static_cast<std::ptrdiff_t>(beyond), path.size(), path.begin());
 }
 
 /// Where a parabola through a site and its neighbours is highest, from −1/2 to 1/2.
@@ -129,18 +129,18 @@ Grid smoothed_depth(const Grid& depth, bool periodic) {
 
 std::vector<double> thalweg(const Grid& smooth_depth, ChannelWindow window, bool periodic) {
     const WindowedDepth depth(smooth_depth, window);
-    std::vector<double> way;
+    std::vector<double> path;
     int y = 0;
-    for (const int column : best_way(depth, smooth_depth.ny())) {
+    for (const int column : best_path(depth, smooth_depth.ny())) {
         const int x = window.first + column;
         const bool has_sides = periodic || (x > 0 && x < smooth_depth.nx() - 1);
-        way.push_back(has_sides ? x + top_offset(depth.at(column - 1, y), depth.at(column, y),
-                                                 depth.at(column + 1, y))
-                                : x);
+        path.push_back(has_sides ? x + top_offset(depth.at(column - 1, y), depth.at(column, y),
+                                                  depth.at(column + 1, y))
+                                 : x);
         ++y;
     }
-    smooth_way(way);
-    return way;
+    smooth_path(path);
+    return path;
 }
 
 double mean_sinuosity(const Grid& depth, std::span<const int> sites, double dx, double dy,
@@ -150,12 +150,12 @@ double mean_sinuosity(const Grid& depth, std::span<const int> sites, double dx, 
     const Grid smooth = smoothed_depth(depth, periodic);
     double sum = 0.0;
     for (const ChannelWindow& window : channel_windows(sites, depth.nx(), periodic)) {
-        const std::vector<double> way = thalweg(smooth, window, periodic);
+        const std::vector<double> path = thalweg(smooth, window, periodic);
         double length = 0.0;
-        for (std::size_t y = 1; y < way.size(); ++y)
-            length += elementary::hypot((way[y] - way[y - 1]) * dx, dy);
-        sum += length / elementary::hypot((way.back() - way.front()) * dx,
-                                          dy * static_cast<double>(way.size() - 1));
+        for (std::size_t y = 1; y < path.size(); ++y)
+            length += elementary::hypot((path[y] - path[y - 1]) * dx, dy);
+        sum += length / elementary::hypot((path.back() - path.front()) * dx,
+                                          dy * static_cast<double>(path.size() - 1));
     }
     return sum / static_cast<double>(sites.size());
 }

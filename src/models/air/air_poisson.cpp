@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <map>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "models/air/air_vectors.h"
 #include "numerics/eigen_blocks.h"
 #include "numerics/plane_loop.h"
@@ -77,7 +77,7 @@ void AirPoisson::invert_departures() {
         rectangle_.begin(b_, near_bed_);
         rectangle_.write(p_, near_bed_);
         for (const int source : columns) {
-            give_up_if_asked();
+            throw_if_cancelled();
             for (int i = 0; i < plane_.nx; ++i) {
                 double sum = 0.0;
                 for (const PressureTerm& term : departures_[static_cast<std::size_t>(i)]) {
@@ -104,7 +104,7 @@ void AirPoisson::solve_pinned(std::span<const double> right_side) {
         }
     });
     rectangle_.begin(b_, plane_.nz);
-    give_up_if_asked();
+    throw_if_cancelled();
     rectangle_.write(p_, near_bed_);
     std::vector<double> departing(static_cast<std::size_t>(plane_.nx));
     for (int i = 0; i < plane_.nx; ++i) {
@@ -118,8 +118,8 @@ void AirPoisson::solve_pinned(std::span<const double> right_side) {
                       static_cast<std::size_t>(begin), static_cast<std::size_t>(end),
                       strengths_.data());
     });
-    give_up_if_asked();
-    const std::size_t seen = rectangle_.nodes_seen(near_bed_);
+    throw_if_cancelled();
+    const std::size_t seen = rectangle_.nodes_read(near_bed_);
     for (int i = 0; i < plane_.nx; ++i) {
         std::fill_n(&b_[at(i, 1)], seen, 0.0);
         b_[at(i, lowest(i))] = -strengths_[static_cast<std::size_t>(i)];

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "models/air/air_plane.h"
 #include "models/air/air_vectors.h"
 #include "numerics/plane_loop.h"
@@ -78,9 +78,9 @@ void AirProjection::step() {
     ++steps_;
     over_plane(pool_, plane_.nx, u_.size(), [this](int begin, int end) { predict(begin, end); });
     over_plane(pool_, plane_.nx, u_.size(), [this](int begin, int end) { diverge(begin, end); });
-    give_up_if_asked();
+    throw_if_cancelled();
     poisson_.solve(right_side_, p_);
-    give_up_if_asked();
+    throw_if_cancelled();
     over_plane(pool_, plane_.nx, u_.size(), [this](int begin, int end) {
         for (int i = begin; i < end; ++i) extend_pressure(i);
     });
@@ -94,7 +94,7 @@ void AirProjection::predict(int begin, int end) {
         parameters_.viscosity * parameters_.time_step / (plane_.spacing * plane_.spacing)};
     const auto top = [&](int i) { return plane_.under_bed[static_cast<std::size_t>(i)]; };
     for (int i = begin; i < end; ++i) {
-        give_up_if_asked();
+        throw_if_cancelled();
         const int left = plane_.left(i);
         const int right = plane_.right(i);
         const int far_left = plane_.left(left);
@@ -176,11 +176,11 @@ std::vector<StateField> AirProjection::state() const {
     return {{"velocity_x", u_}, {"velocity_z", w_}, {"pressure", p_}};
 }
 
-void AirProjection::carry(StateCarrier& carrier) {
-    carrier.count("flow_steps", steps_);
-    carrier.values("velocity_x", u_);
-    carrier.values("velocity_z", w_);
-    carrier.values("pressure", p_);
+void AirProjection::serialise(StateArchive& archive) {
+    archive.count("flow_steps", steps_);
+    archive.values("velocity_x", u_);
+    archive.values("velocity_z", w_);
+    archive.values("pressure", p_);
 }
 
 double AirProjection::largest_divergence() const {

@@ -34,7 +34,7 @@ class AirProjection : public AirScheme {
     /// By central differences.
     [[nodiscard]] double largest_divergence() const override;
     [[nodiscard]] std::vector<StateField> state() const override;
-    void carry(StateCarrier& carrier) override;
+    void serialise(StateArchive& archive) override;
 
   private:
     void predict(int begin, int end);

@@ -29,7 +29,7 @@ class AirScheme {
     /// All that the next step depends on.
     [[nodiscard]] virtual std::vector<StateField> state() const = 0;
     /// Saves or restores that, and what else fields() depends on.
-    virtual void carry(StateCarrier& carrier) = 0;
+    virtual void serialise(StateArchive& archive) = 0;
 };
 
 }  // namespace fumon

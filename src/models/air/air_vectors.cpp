@@ -126,21 +126,21 @@ HWY_INLINE Columns from(const Columns& all, int begin) {
 
 void predict_upwind(const Columns& u, const Columns& w, const Coefficients& with, int begin,
                     int end, const NewVelocity& out) {
-    for_each_vector_anew(
+    for_each_vector_overlapping(
         end - begin, Upwind{from(u, begin), from(w, begin), with, {out.u + begin, out.w + begin}});
 }
 
 void predict_second_order(const Columns& u, const Columns& w, const Coefficients& with, int begin,
                           int end, const NewVelocity& out) {
-    for_each_vector_anew(
+    for_each_vector_overlapping(
         end - begin,
         SecondOrder{from(u, begin), from(w, begin), with, {out.u + begin, out.w + begin}});
 }
 
 void diverge(const double* u_left, const double* u_right, const double* w, double factor, int begin,
              int end, double* out) {
-    for_each_vector_anew(end - begin,
-                         Diverge{u_left + begin, u_right + begin, w + begin, factor, out + begin});
+    for_each_vector_overlapping(
+        end - begin, Diverge{u_left + begin, u_right + begin, w + begin, factor, out + begin});
 }
 
 double correct(const Columns& pressure, const Velocity& predicted, double factor, int begin,
@@ -169,7 +169,7 @@ double correct(const Columns& pressure, const Velocity& predicted, double factor
 }
 
 void subtract_multiple(const double* a, double factor, const double* b, int count, double* out) {
-    for_each_vector_anew(count, SubtractMultiple{a, factor, b, out});
+    for_each_vector_overlapping(count, SubtractMultiple{a, factor, b, out});
 }
 
 /// Adds four columns, one after the other: at once in the registers.

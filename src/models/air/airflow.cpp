@@ -11,7 +11,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "models/air/air_projection.h"
 #include "models/air/fitted_airflow.h"
 #include "models/air/section_flights.h"
@@ -193,15 +193,15 @@ std::vector<StateField> Airflow::state() const {
     return flow_->state();
 }
 
-void Airflow::carry(StateCarrier& carrier) {
-    carrier.count("steps", steps_);
-    carrier.count("aged_steps", flow_steps_);
-    flow_->carry(carrier);
-    carrier.value("last_stress_mean", last_fit_.mean);
-    carrier.value("last_stress_amplitude", last_fit_.amplitude);
-    carrier.value("stress_change", stress_change_);
-    carrier.value("steady", steady_);
-    carrier.value("steady_time", steady_time_);
+void Airflow::serialise(StateArchive& archive) {
+    archive.count("steps", steps_);
+    archive.count("aged_steps", flow_steps_);
+    flow_->serialise(archive);
+    archive.value("last_stress_mean", last_fit_.mean);
+    archive.value("last_stress_amplitude", last_fit_.amplitude);
+    archive.value("stress_change", stress_change_);
+    archive.value("steady", steady_);
+    archive.value("steady_time", steady_time_);
 }
 
 }  // namespace fumon

@@ -69,7 +69,7 @@ class Airflow : public Model {
     /// The scheme's fields, column by column. The spans hold until the next step.
     [[nodiscard]] std::vector<StateField> state() const override;
 
-    void carry(StateCarrier& carrier) override;
+    void serialise(StateArchive& archive) override;
 
   private:
     void watch_stress();

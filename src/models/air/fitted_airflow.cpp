@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "numerics/eigen_blocks.h"
 
 namespace fumon {
@@ -188,7 +188,7 @@ void FittedAirflow::add_boundaries() {
 void FittedAirflow::step() {
     ++steps_;
     for (int i = 0; i < plane_.nx; ++i) {
-        give_up_if_asked();
+        throw_if_cancelled();
         for (int k = 1; k < plane_.nz; ++k) {
             const double carried = (along_zeta(stream_, i, k) * along_x(vorticity_, i, k) -
                                     along_x(stream_, i, k) * along_zeta(vorticity_, i, k)) /
@@ -299,11 +299,11 @@ std::vector<StateField> FittedAirflow::state() const {
     return {{"stream_function", stream_}, {"vorticity", vorticity_}};
 }
 
-void FittedAirflow::carry(StateCarrier& carrier) {
-    carrier.count("flow_steps", steps_);
-    carrier.values("stream_function", stream_);
-    carrier.values("last_stream_function", last_stream_);
-    carrier.values("vorticity", vorticity_);
+void FittedAirflow::serialise(StateArchive& archive) {
+    archive.count("flow_steps", steps_);
+    archive.values("stream_function", stream_);
+    archive.values("last_stream_function", last_stream_);
+    archive.values("vorticity", vorticity_);
 }
 
 }  // namespace fumon

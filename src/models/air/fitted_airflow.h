@@ -34,7 +34,7 @@ class FittedAirflow : public AirScheme {
     [[nodiscard]] std::vector<double> bed_stress() const override;
     [[nodiscard]] double largest_divergence() const override { return 0.0; }
     [[nodiscard]] std::vector<StateField> state() const override;
-    void carry(StateCarrier& carrier) override;
+    void serialise(StateArchive& archive) override;
 
   private:
     class Factors;

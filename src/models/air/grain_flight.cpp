@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "base/cancellation.h"
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/find_named.h"
-#include "base/give_up.h"
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "models/air/grain_drag.h"
@@ -18,8 +18,8 @@ namespace fumon {
 
 namespace {
 
-constexpr double gravity = 9.8;          // m/s² (Terada 2025)
-constexpr int steps_between_looks = 16;  // for lanes that are done; results do not depend on it
+constexpr double gravity = 9.8;      // m/s² (Terada 2025)
+constexpr int steps_per_check = 16;  // for lanes that are done; results do not depend on it
 
 const Grid& field_of(const SnapshotSection& section, std::string_view name) {
     if (const SnapshotField* field = find_named(section.fields, name)) return field->values;
@@ -208,8 +208,8 @@ void GrainFlights::fly_waiting(std::span<const Launch> launches, std::atomic<std
     int count = 0;
     while (count < GrainLanes::most && take_next(count)) ++count;
     while (count > 0) {
-        give_up_if_asked();
-        advance(lanes, count, steps_between_looks);
+        throw_if_cancelled();
+        advance(lanes, count, steps_per_check);
         for (int lane = count - 1; lane >= 0; --lane) {
             if (!is_over(lanes, lane)) continue;
             const std::size_t done = grain.at(static_cast<std::size_t>(lane));
@@ -280,7 +280,7 @@ GrainPath GrainFlights::path(const Launch& launch) const {
     GrainPath path{launch.angle, {begun.flight.x}, {begun.flight.height}};
     const double width = lane_air_.nx * lane_air_.dx;
     while (!is_over(lanes, 0)) {
-        give_up_if_asked();
+        throw_if_cancelled();
         advance(lanes, 1, 1);
         path.x.push_back(lanes.x[0] + lanes.turns[0] * width);
         path.z.push_back(lanes.z[0]);

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "base/worker_pool.h"
-#include "models/shared/whole_lengths.h"
+#include "models/shared/fixed_point_lengths.h"
 
 namespace fumon {
 
@@ -14,12 +14,12 @@ namespace fumon {
 struct FloorRange {
     static constexpr int cells = 64;
 
-    WholeGrid lowest;
-    WholeGrid highest;
+    FixedPointGrid lowest;
+    FixedPointGrid highest;
 
-    void find(const WholeGrid& floor, WorkerPool& pool) {
+    void find(const FixedPointGrid& floor, WorkerPool& pool) {
         if (lowest.empty())
-            lowest = highest = WholeGrid((floor.nx() + cells - 1) / cells, floor.ny());
+            lowest = highest = FixedPointGrid((floor.nx() + cells - 1) / cells, floor.ny());
         pool.for_ranges(floor.ny(), [&](int begin, int end) {
             for (int y = begin; y < end; ++y) {
                 const auto row = floor.row(y);
@@ -37,7 +37,7 @@ struct FloorRange {
     [[nodiscard]] bool is_level(int x, int y) const {
         return lowest(x / cells, y) == highest(x / cells, y);
     }
-    [[nodiscard]] std::int64_t at(const WholeGrid& floor, int x, int y) const {
+    [[nodiscard]] std::int64_t at(const FixedPointGrid& floor, int x, int y) const {
         return is_level(x, y) ? lowest(x / cells, y) : floor(x, y);
     }
 };
@@ -45,10 +45,10 @@ struct FloorRange {
 /// What lies under loose ground and does not slide, with its range where that is known.
 struct AvalancheFloor {
     // NOLINTNEXTLINE(google-explicit-constructor): a grid is a floor
-    AvalancheFloor(const WholeGrid& cells, const FloorRange* range = nullptr)
+    AvalancheFloor(const FixedPointGrid& cells, const FloorRange* range = nullptr)
         : cells(cells), range(range) {}
 
-    const WholeGrid& cells;
+    const FixedPointGrid& cells;
     const FloorRange* range;
 };
 

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <utility>
 
+#include "base/cancellation.h"
 #include "base/elementary.h"
 #include "base/elementary_angle.h"
-#include "base/give_up.h"
 #include "base/units.h"
 #include "base/worker_pool.h"
-#include "models/avalanche/pass_front.h"
+#include "models/avalanche/pass_wavefront.h"
 #include "models/avalanche/slope_vectors.h"
 
 namespace fumon {
@@ -31,11 +31,11 @@ double tangent(double degrees) {
 }
 
 template <class Body>
-void for_each_bit(const CellRows& cells, int y, const Body& body) {
-    const CellRows::Word* words = cells.row(y);
+void for_each_bit(const CellBitset& cells, int y, const Body& body) {
+    const CellBitset::Word* words = cells.row(y);
     for (int w = 0; w < cells.words(); ++w) {
-        for (CellRows::Word left = words[w]; left != 0; left &= left - 1)
-            body(w * CellRows::word_bits + std::countr_zero(left));
+        for (CellBitset::Word left = words[w]; left != 0; left &= left - 1)
+            body(w * CellBitset::word_bits + std::countr_zero(left));
     }
 }
 
@@ -65,14 +65,16 @@ void SlopeRelaxation::set_moving_angles(const Grid& degrees) {
     least_tangent_ = *std::ranges::min_element(moving_tangents_.values());
 }
 
-SlopeRelaxation::Falls SlopeRelaxation::falls_at(const WholeGrid& surface, int x, int y) const {
+SlopeRelaxation::Falls SlopeRelaxation::falls_at(const FixedPointGrid& surface, int x,
+                                                 int y) const {
     const std::int64_t here = surface(x, y);
     return {here - surface(west(x), y), here - surface(east(x), y), here - surface(x, south(y)),
             here - surface(x, north(y))};
 }
 
-SlopeRelaxation::Slide SlopeRelaxation::slide_at(const WholeGrid& surface, const WholeGrid& floor,
-                                                 int x, int y, double start_ratio) const {
+SlopeRelaxation::Slide SlopeRelaxation::slide_at(const FixedPointGrid& surface,
+                                                 const FixedPointGrid& floor, int x, int y,
+                                                 double start_ratio) const {
     return slide_of(falls_at(surface, x, y), surface(x, y) - floor(x, y), tangent_at(x, y),
                     start_ratio);
 }
@@ -90,30 +92,30 @@ SlopeRelaxation::Slide SlopeRelaxation::slide_of(const Falls& falls, std::int64_
     if (along + across > loose) {
         const double of_x = falls.x / (falls.x + falls.y);
         along = std::min(loose, static_cast<std::int64_t>(static_cast<double>(loose) * of_x));
-        across = falls.way_y != 0 ? loose - along : 0;
-        if (falls.way_y == 0) along = loose;
+        across = falls.direction_y != 0 ? loose - along : 0;
+        if (falls.direction_y == 0) along = loose;
     }
-    return {along * falls.way_x, across * falls.way_y};
+    return {along * falls.direction_x, across * falls.direction_y};
 }
 
 /// Candidates of the first pass: all cells of a row that are steep enough to start.
-void SlopeRelaxation::mark_row(const WholeGrid& surface, int y) {
+void SlopeRelaxation::mark_row(const FixedPointGrid& surface, int y) {
     const double start = least_tangent_ * start_ratio_;
-    CellRows::Word* words = candidates_.row(y);
+    CellBitset::Word* words = candidates_.row(y);
     slope_vectors::mark_steep(surface.row(south(y)).data(), surface.row(y).data(),
                               surface.row(north(y)).data(), slope_of_unit_x_ * slope_of_unit_x_,
                               slope_of_unit_y_ * slope_of_unit_y_, start * start, nx(), words);
     words[0] |= 1U;
-    words[(nx() - 1) / CellRows::word_bits] |=
-        CellRows::Word{1} << static_cast<unsigned>((nx() - 1) % CellRows::word_bits);
+    words[(nx() - 1) / CellBitset::word_bits] |=
+        CellBitset::Word{1} << static_cast<unsigned>((nx() - 1) % CellBitset::word_bits);
     candidates_.set_any(y, true);
 }
 
-std::int64_t SlopeRelaxation::slide_row(const WholeGrid& surface, const AvalancheFloor& floor,
+std::int64_t SlopeRelaxation::slide_row(const FixedPointGrid& surface, const AvalancheFloor& floor,
                                         int y, double start_ratio) {
-    CellRows::Word* words = sliding_.row(y);
+    CellBitset::Word* words = sliding_.row(y);
     if (!candidates_.any(y)) {
-        if (sliding_.any(y)) std::fill_n(words, sliding_.words(), CellRows::Word{0});
+        if (sliding_.any(y)) std::fill_n(words, sliding_.words(), CellBitset::Word{0});
         sliding_.set_any(y, false);
         return 0;
     }
@@ -149,8 +151,8 @@ std::int64_t SlopeRelaxation::slide_row(const WholeGrid& surface, const Avalanch
         if (!slide.any()) return;
         slides_x[x] = static_cast<double>(slide.x);
         slides_y[x] = static_cast<double>(slide.y);
-        words[x / CellRows::word_bits] |= CellRows::Word{1}
-                                          << static_cast<unsigned>(x % CellRows::word_bits);
+        words[x / CellBitset::word_bits] |= CellBitset::Word{1}
+                                            << static_cast<unsigned>(x % CellBitset::word_bits);
         ++count;
     });
     for (int w = 0; w < slid_.words(); ++w) slid_.row(y)[w] |= words[w];
@@ -160,12 +162,12 @@ std::int64_t SlopeRelaxation::slide_row(const WholeGrid& surface, const Avalanch
 
 /// Moves what slides to, within and from a row. Where something slid, and beside it, the next pass
 /// looks.
-void SlopeRelaxation::settle_row(WholeGrid& surface, int y) {
+void SlopeRelaxation::settle_row(FixedPointGrid& surface, int y) {
     const int below = south(y);
     const int above = north(y);
-    CellRows::Word all = 0;
+    CellBitset::Word all = 0;
     if (sliding_.any(y) || sliding_.any(below) || sliding_.any(above)) {
-        CellRows::Word* words = candidates_.row(y);
+        CellBitset::Word* words = candidates_.row(y);
         for (int w = 0; w < candidates_.words(); ++w) {
             words[w] = sliding_.row(y)[w] | sliding_.from_west(y, w, periodic_x()) |
                        sliding_.from_east(y, w, periodic_x()) | sliding_.row(below)[w] |
@@ -197,7 +199,7 @@ void SlopeRelaxation::settle_row(WholeGrid& surface, int y) {
 }
 
 /// The first pass looks at all cells.
-std::int64_t SlopeRelaxation::slide_row_in_pass(const WholeGrid& surface,
+std::int64_t SlopeRelaxation::slide_row_in_pass(const FixedPointGrid& surface,
                                                 const AvalancheFloor& floor, int y, int pass) {
     if (pass > 0) return slide_row(surface, floor, y, sliding_ratio_);
     if (clears_slides_ || places_.are_few()) {
@@ -210,23 +212,24 @@ std::int64_t SlopeRelaxation::slide_row_in_pass(const WholeGrid& surface,
 
 /// Goes on with at most so many passes from pass `done` on, all cells of one before those of the
 /// next as far as results tell, and returns how many cells slid in each.
-std::vector<std::int64_t> SlopeRelaxation::go_on(WholeGrid& surface, const AvalancheFloor& floor,
-                                                 const Plan& plan, int done, int most) {
+std::vector<std::int64_t> SlopeRelaxation::run_passes(FixedPointGrid& surface,
+                                                      const AvalancheFloor& floor, const Plan& plan,
+                                                      int done, int most) {
     const bool round = periodic_y() && ny() > 1;
     const bool seams = round || plan.strips > 1;
     const int margin = done == 0 && plan.prepare ? 1 : 0;
     const int rows = ny() / plan.strips;
-    const int passes = seams ? std::min(most, PassFront::most_passes(rows, margin)) : most;
+    const int passes = seams ? std::min(most, PassWavefront::most_passes(rows, margin)) : most;
     const auto size = static_cast<std::size_t>(passes);
     std::vector<std::int64_t> counts(size);
     std::vector<std::int64_t> counts_of_strips(size * static_cast<std::size_t>(plan.strips));
-    const auto go = [&](int n, const PassFront& front, const auto& before_first) {
+    const auto go = [&](int n, const PassWavefront& front, const auto& before_first) {
         std::int64_t* slid = counts_of_strips.data() + size * static_cast<std::size_t>(n);
         front.go(
             passes,
             [&](int pass, int y) {
                 if (pass == 0) {
-                    give_up_if_asked();
+                    throw_if_cancelled();
                     before_first(y);
                 }
                 slid[pass] += slide_row_in_pass(surface, floor, row_of(y), done + pass);
@@ -244,29 +247,32 @@ std::vector<std::int64_t> SlopeRelaxation::go_on(WholeGrid& surface, const Avala
         }
     };
     over_strips([&](int n) {
-        const int begin = PassFront::strip_begin(ny(), n, plan.strips);
-        const int end = PassFront::strip_begin(ny(), n + 1, plan.strips);
+        const int begin = PassWavefront::strip_begin(ny(), n, plan.strips);
+        const int end = PassWavefront::strip_begin(ny(), n + 1, plan.strips);
         int next = margin > 0 ? begin : end;
         const auto prepare_to = [&](int last) {
             for (; next < std::min(last, end); ++next) plan.prepare(next);
         };
-        go(n, PassFront::of_strip(begin, end, n > 0 || round, n + 1 < plan.strips || round, margin),
+        go(n,
+           PassWavefront::of_strip(begin, end, n > 0 || round, n + 1 < plan.strips || round,
+                                   margin),
            [&](int y) { prepare_to(y + 2); });
         prepare_to(end);
     });
     over_strips([&](int n) {
-        const int begin = PassFront::strip_begin(ny(), n, plan.strips);
-        if (n > 0 || round) go(n, PassFront::of_seam(begin, margin), [](int) {});
+        const int begin = PassWavefront::strip_begin(ny(), n, plan.strips);
+        if (n > 0 || round) go(n, PassWavefront::of_seam(begin, margin), [](int) {});
     });
     for (std::size_t n = 0; n < counts_of_strips.size(); ++n)
         counts[n % size] += counts_of_strips[n];
     return counts;
 }
 
-SlopeRelaxation::Outcome SlopeRelaxation::relax(WholeGrid& surface, const AvalancheFloor& floor,
-                                                int most_passes, Ending ending,
+SlopeRelaxation::Outcome SlopeRelaxation::relax(FixedPointGrid& surface,
+                                                const AvalancheFloor& floor, int most_passes,
+                                                RestCheck rest_check,
                                                 const std::function<void(int)>& prepare) {
-    constexpr std::int64_t worth_sharing = 500;  // cells
+    constexpr std::int64_t least_shared_cells = 500;  // cells
     constexpr int least_rows = 16;
     Plan plan{std::clamp(ny() / least_rows, 1, pool_.size()), prepare};
     if (prepare && (ny() < least_rows || most_passes == 0)) {
@@ -281,30 +287,30 @@ SlopeRelaxation::Outcome SlopeRelaxation::relax(WholeGrid& surface, const Avalan
     }
     for (int done = 0; done < most_passes;) {
         const auto counts =
-            go_on(surface, floor, plan, done, std::min(passes_at_once, most_passes - done));
+            run_passes(surface, floor, plan, done, std::min(passes_at_once, most_passes - done));
         const auto rest = std::ranges::find(counts, std::int64_t{0});
         done += static_cast<int>(rest - counts.begin());
         if (rest != counts.end()) {
             slides_left_ = places_.are_few();
             return {done, true};
         }
-        if (counts.back() < worth_sharing) plan.strips = 1;
+        if (counts.back() < least_shared_cells) plan.strips = 1;
     }
     // What would slide next has to be found where it is remembered as sliding.
-    if (ending == Ending::unseen && most_passes > 0 && slid_.words() == 0)
+    if (rest_check == RestCheck::skipped && most_passes > 0 && slid_.words() == 0)
         return {most_passes, false};
     places_.take_all();
     std::atomic<bool> at_rest = true;
     pool_.for_ranges(ny(), [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
-            give_up_if_asked();
+            throw_if_cancelled();
             if (slide_row_in_pass(surface, floor, y, most_passes) > 0) at_rest = false;
         }
     });
     return {most_passes, at_rest};
 }
 
-bool SlopeRelaxation::relax_near(WholeGrid& surface, const WholeGrid& floor,
+bool SlopeRelaxation::relax_near(FixedPointGrid& surface, const FixedPointGrid& floor,
                                  std::span<const std::size_t> cells, std::int64_t most_moves) {
     if (queued_.empty()) queued_.resize(surface.size());
     queue_.clear();
@@ -345,8 +351,8 @@ bool SlopeRelaxation::relax_near(WholeGrid& surface, const WholeGrid& floor,
         }
         surface(x, y) -= std::abs(slide.x) + std::abs(slide.y);
         if (slid_.words() > 0) {
-            slid_.row(y)[x / CellRows::word_bits] |=
-                CellRows::Word{1} << static_cast<unsigned>(x % CellRows::word_bits);
+            slid_.row(y)[x / CellBitset::word_bits] |=
+                CellBitset::Word{1} << static_cast<unsigned>(x % CellBitset::word_bits);
         }
         if (slide.x != 0) surface(slide.x > 0 ? east(x) : west(x), y) += std::abs(slide.x);
         if (slide.y != 0) surface(x, slide.y > 0 ? north(y) : south(y)) += std::abs(slide.y);
@@ -357,7 +363,7 @@ bool SlopeRelaxation::relax_near(WholeGrid& surface, const WholeGrid& floor,
     return true;
 }
 
-double SlopeRelaxation::steepest(const WholeGrid& surface, const WholeGrid& floor) const {
+double SlopeRelaxation::steepest(const FixedPointGrid& surface, const FixedPointGrid& floor) const {
     double steepest = 0.0;
     for (int y = 0; y < ny(); ++y) {
         for (int x = 0; x < nx(); ++x) {

@@ -10,9 +10,9 @@
 
 #include "base/grid.h"
 #include "models/avalanche/avalanche_floor.h"
-#include "models/avalanche/cell_rows.h"
-#include "models/avalanche/row_places.h"
-#include "models/shared/whole_lengths.h"
+#include "models/avalanche/cell_bitset.h"
+#include "models/avalanche/row_slots.h"
+#include "models/shared/fixed_point_lengths.h"
 
 namespace fumon {
 
@@ -63,16 +63,17 @@ class SlopeRelaxation {
     void set_moving_angles(const Grid& degrees);
 
     /// From here on remembers which cells slide.
-    void remember_sliding() { slid_ = CellRows(nx(), ny()); }
+    void track_slid_cells() { slid_ = CellBitset(nx(), ny()); }
     /// Calls body(x, y) for each cell that has slid since it was last asked, by the numbers of the
     /// rows; none unless they are remembered.
     template <class Body>
-    void forget_slid(const Body& body) {
+    void drain_slid_cells(const Body& body) {
         for (int y = 0; y < ny() && slid_.words() > 0; ++y) {
-            CellRows::Word* words = slid_.row(y);
+            CellBitset::Word* words = slid_.row(y);
             for (int w = 0; w < slid_.words(); ++w) {
-                for (CellRows::Word left = std::exchange(words[w], 0); left != 0; left &= left - 1)
-                    body(w * CellRows::word_bits + std::countr_zero(left), y);
+                for (CellBitset::Word left = std::exchange(words[w], 0); left != 0;
+                     left &= left - 1)
+                    body(w * CellBitset::word_bits + std::countr_zero(left), y);
             }
         }
     }
@@ -84,22 +85,23 @@ class SlopeRelaxation {
 
     /// Whether it is to be seen, after `most_passes`, that all is at rest; where it is not, the
     /// outcome may say that it is not.
-    enum class Ending { seen, unseen };
+    enum class RestCheck { required, skipped };
 
-    /// Relaxes the whole surface; many passes go over the rows together (see PassFront). Where
+    /// Relaxes the whole surface; many passes go over the rows together (see PassWavefront). Where
     /// there is `prepare`, prepare(y) is called once for each row, by any thread, before it is
     /// looked at: it may change that row.
-    Outcome relax(WholeGrid& surface, const AvalancheFloor& floor, int most_passes,
-                  Ending ending = Ending::seen, const std::function<void(int y)>& prepare = {});
+    Outcome relax(FixedPointGrid& surface, const AvalancheFloor& floor, int most_passes,
+                  RestCheck rest_check = RestCheck::required,
+                  const std::function<void(int y)>& prepare = {});
 
     /// Relaxes what some cells, and what slides from them, make too steep: cell after cell, first
     /// in first out, on one thread. Cells are numbered y·nx + x. False where it gave up after
     /// `most_moves`.
-    bool relax_near(WholeGrid& surface, const WholeGrid& floor, std::span<const std::size_t> cells,
-                    std::int64_t most_moves);
+    bool relax_near(FixedPointGrid& surface, const FixedPointGrid& floor,
+                    std::span<const std::size_t> cells, std::int64_t most_moves);
 
     /// The steepest one-sided slope of a cell with loose ground, degrees.
-    [[nodiscard]] double steepest(const WholeGrid& surface, const WholeGrid& floor) const;
+    [[nodiscard]] double steepest(const FixedPointGrid& surface, const FixedPointGrid& floor) const;
 
   private:
     /// What leaves a cell: along x and y, positive eastward and northward. Units.
@@ -121,17 +123,17 @@ class SlopeRelaxation {
         Falls(std::int64_t west, std::int64_t east, std::int64_t south, std::int64_t north)
             : x(static_cast<double>(std::max({west, east, std::int64_t{0}}))),
               y(static_cast<double>(std::max({south, north, std::int64_t{0}}))),
-              way_x(x == 0.0       ? 0
-                    : east >= west ? 1
-                                   : -1),
-              way_y(y == 0.0         ? 0
-                    : north >= south ? 1
-                                     : -1) {}
+              direction_x(x == 0.0       ? 0
+                          : east >= west ? 1
+                                         : -1),
+              direction_y(y == 0.0         ? 0
+                          : north >= south ? 1
+                                           : -1) {}
 
         double x = 0.0;
         double y = 0.0;
-        int way_x = 0;
-        int way_y = 0;
+        int direction_x = 0;
+        int direction_y = 0;
     };
 
     [[nodiscard]] int west(int x) const { return x > 0 ? x - 1 : periodic_x() ? nx() - 1 : 0; }
@@ -145,22 +147,22 @@ class SlopeRelaxation {
     [[nodiscard]] bool periodic_x() const { return ground_.periodic_x; }
     [[nodiscard]] bool periodic_y() const { return ground_.periodic_y; }
 
-    [[nodiscard]] Falls falls_at(const WholeGrid& surface, int x, int y) const;
-    [[nodiscard]] Slide slide_at(const WholeGrid& surface, const WholeGrid& floor, int x, int y,
-                                 double start_ratio) const;
+    [[nodiscard]] Falls falls_at(const FixedPointGrid& surface, int x, int y) const;
+    [[nodiscard]] Slide slide_at(const FixedPointGrid& surface, const FixedPointGrid& floor, int x,
+                                 int y, double start_ratio) const;
     [[nodiscard]] Slide slide_of(const Falls& falls, std::int64_t loose, double rest,
                                  double start_ratio) const;
     [[nodiscard]] double tangent_at(int x, int y) const {
         return moving_tangents_.empty() ? moving_tangent_ : moving_tangents_(x, y);
     }
-    void mark_row(const WholeGrid& surface, int y);
-    std::int64_t slide_row(const WholeGrid& surface, const AvalancheFloor& floor, int y,
+    void mark_row(const FixedPointGrid& surface, int y);
+    std::int64_t slide_row(const FixedPointGrid& surface, const AvalancheFloor& floor, int y,
                            double start_ratio);
-    std::int64_t slide_row_in_pass(const WholeGrid& surface, const AvalancheFloor& floor, int y,
-                                   int pass);
-    void settle_row(WholeGrid& surface, int y);
-    std::vector<std::int64_t> go_on(WholeGrid& surface, const AvalancheFloor& floor,
-                                    const Plan& plan, int done, int most);
+    std::int64_t slide_row_in_pass(const FixedPointGrid& surface, const AvalancheFloor& floor,
+                                   int y, int pass);
+    void settle_row(FixedPointGrid& surface, int y);
+    std::vector<std::int64_t> run_passes(FixedPointGrid& surface, const AvalancheFloor& floor,
+                                         const Plan& plan, int done, int most);
 
     AvalancheGround ground_;
     WorkerPool& pool_;
@@ -171,14 +173,14 @@ class SlopeRelaxation {
     double least_tangent_;    ///< of them all
     double slope_of_unit_x_;  ///< of a fall of one unit to the next cell
     double slope_of_unit_y_;
-    CellRows candidates_;  ///< cells to look at
-    CellRows sliding_;     ///< cells that give, this pass
-    CellRows slid_;        ///< cells that have given, where they are remembered
-    CellRows left_;        ///< of a row's cells those that vectors leave to a loop over cells
-    Grid slides_x_;        ///< of the sliding cells, whole numbers; 0 of the others
+    CellBitset candidates_;  ///< cells to look at
+    CellBitset sliding_;     ///< cells that give, this pass
+    CellBitset slid_;        ///< cells that have given, where they are remembered
+    CellBitset left_;        ///< of a row's cells those that vectors leave to a loop over cells
+    Grid slides_x_;          ///< of the sliding cells, whole numbers; 0 of the others
     Grid slides_y_;
     std::vector<double> no_slides_;  ///< of a row beyond an edge
-    RowPlaces places_;               ///< of the rows of slides_x_ and slides_y_
+    RowSlots places_;                ///< of the rows of slides_x_ and slides_y_
     bool clears_slides_ = false;     ///< in the first pass, since others were left
     bool slides_left_ = false;       ///< by passes that did not come to rest
     std::vector<std::size_t> queue_;

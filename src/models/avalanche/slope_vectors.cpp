@@ -7,8 +7,8 @@
 
 #include "models/avalanche/slope_vectors.h"
 #include "vectors/functions-inl.h"
+#include "vectors/integers-inl.h"
 #include "vectors/rows-inl.h"
-#include "vectors/whole_numbers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumon::slope_vectors {
@@ -31,11 +31,11 @@ void mark_steep(const std::int64_t* south, const std::int64_t* here, const std::
     if (count < 3) return;
     const auto loop = [&](auto doubles, std::size_t at) HWY_ATTR {
         const std::size_t x = at + 1;
-        const auto h = load_beside(doubles, here + x);
-        const auto along =
-            fall(h, load_beside(doubles, here + x - 1), load_beside(doubles, here + x + 1));
-        const auto across =
-            fall(h, load_beside(doubles, south + x), load_beside(doubles, north + x));
+        const auto h = load_offset_integers(doubles, here + x);
+        const auto along = fall(h, load_offset_integers(doubles, here + x - 1),
+                                load_offset_integers(doubles, here + x + 1));
+        const auto across = fall(h, load_offset_integers(doubles, south + x),
+                                 load_offset_integers(doubles, north + x));
         const auto square = hn::Add(hn::Mul(hn::Mul(along, along), hn::Set(doubles, wx)),
                                     hn::Mul(hn::Mul(across, across), hn::Set(doubles, wy)));
         const auto steep = hn::Gt(square, hn::Set(doubles, limit));
@@ -98,11 +98,11 @@ std::int64_t slide(const SlideRows& rows, const SlideRule& rule, int count,
                    const std::uint64_t* candidates, const Slides& slides, std::uint64_t* left) {
     std::int64_t slid = 0;
     const auto body = [&](auto doubles, std::size_t x, std::uint64_t bits) HWY_ATTR {
-        const auto h = load_beside(doubles, rows.here + x);
-        const auto west = load_beside(doubles, rows.here + x - 1);
-        const auto east = load_beside(doubles, rows.here + x + 1);
-        const auto south = load_beside(doubles, rows.south + x);
-        const auto north = load_beside(doubles, rows.north + x);
+        const auto h = load_offset_integers(doubles, rows.here + x);
+        const auto west = load_offset_integers(doubles, rows.here + x - 1);
+        const auto east = load_offset_integers(doubles, rows.here + x + 1);
+        const auto south = load_offset_integers(doubles, rows.south + x);
+        const auto north = load_offset_integers(doubles, rows.north + x);
         const auto fall_x = fall(h, west, east);
         const auto fall_y = fall(h, south, north);
         const auto a = hn::Mul(fall_x, hn::Set(doubles, rule.slope_of_unit_x));
@@ -128,14 +128,14 @@ std::int64_t slide(const SlideRows& rows, const SlideRule& rule, int count,
         const bool known = rows.highest_floor != nullptr;
         const std::size_t w = x / word_bits;
         const bool near_floor = !known || [&]() HWY_ATTR {
-            const auto above = hn::Sub(h, set_beside(doubles, rows.highest_floor[w]));
+            const auto above = hn::Sub(h, set_offset_integer(doubles, rows.highest_floor[w]));
             const auto needed = hn::Add(hn::Add(along, across), one);
             return !hn::AllFalse(doubles, hn::And(slides_here, hn::Gt(needed, above)));
         }();
         if (near_floor) {
             const bool level = known && rows.lowest_floor[w] == rows.highest_floor[w];
-            const auto floor = level ? set_beside(doubles, rows.lowest_floor[w])
-                                     : load_beside(doubles, rows.floor + x);
+            const auto floor = level ? set_offset_integer(doubles, rows.lowest_floor[w])
+                                     : load_offset_integers(doubles, rows.floor + x);
             const auto loose = hn::Sub(h, floor);
             const auto some = hn::Gt(loose, zero);
             along = hn::IfThenElseZero(some, along);
@@ -147,11 +147,11 @@ std::int64_t slide(const SlideRows& rows, const SlideRule& rule, int count,
             along = hn::IfThenElse(scarce, less, along);
             across = hn::IfThenElse(scarce, hn::Sub(loose, less), across);
         }
-        const auto signed_way = [&](auto amount, auto low, auto high) HWY_ATTR {
+        const auto with_direction = [&](auto amount, auto low, auto high) HWY_ATTR {
             return hn::IfThenElse(hn::Gt(high, low), hn::Neg(amount), amount);
         };
-        hn::StoreU(signed_way(along, west, east), doubles, slides.x + x);
-        hn::StoreU(signed_way(across, south, north), doubles, slides.y + x);
+        hn::StoreU(with_direction(along, west, east), doubles, slides.x + x);
+        hn::StoreU(with_direction(across, south, north), doubles, slides.y + x);
         return bits_of(doubles, hn::Gt(hn::Add(along, across), zero));
     };
     for_cells(candidates, count, left, body, [&](std::size_t w, std::uint64_t found) HWY_ATTR {
@@ -173,7 +173,8 @@ void settle(const SettledRows& rows, int count, const std::uint64_t* candidates,
         const auto across =
             hn::Sub(from_low(at(rows.y_south + x)), from_high(at(rows.y_north + x)));
         const auto change = hn::Sub(hn::Add(along, across), lost);
-        store_beside(hn::Add(load_beside(doubles, surface + x), change), surface + x);
+        store_offset_integers(hn::Add(load_offset_integers(doubles, surface + x), change),
+                              surface + x);
         return std::uint64_t{0};
     };
     for_cells(candidates, count, left, body, [](std::size_t, std::uint64_t) {});

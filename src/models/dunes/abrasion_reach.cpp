@@ -21,7 +21,7 @@ AbrasionReach::AbrasionReach(const DuneGround& ground, double height, WorkerPool
       levels_(ground, pool),
       share_(ground.nx, ground.ny) {}
 
-void AbrasionReach::find(const WholeGrid& surface, const BlowingWind& wind) {
+void AbrasionReach::find(const FixedPointGrid& surface, const BlowingWind& wind) {
     std::ranges::transform(surface.values(), below_.values().begin(), std::negate<>());
     std::ranges::fill(share_.values(), 0.0);
     const std::array ways{BlowingWind{wind.x, wind.y, 1.0}, BlowingWind{-wind.y, wind.x, 1.0},

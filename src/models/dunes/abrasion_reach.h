@@ -4,8 +4,8 @@
 
 #include "base/grid.h"
 #include "models/dunes/dune_bed.h"
+#include "models/dunes/wind_schedule.h"
 #include "models/dunes/wind_shadow.h"
-#include "models/dunes/wind_turns.h"
 
 namespace fumon {
 
@@ -26,7 +26,7 @@ class AbrasionReach {
     /// `height`: h, m.
     AbrasionReach(const DuneGround& ground, double height, WorkerPool& pool);
 
-    void find(const WholeGrid& surface, const BlowingWind& wind);
+    void find(const FixedPointGrid& surface, const BlowingWind& wind);
 
     /// exp(−z / h), 0 … 1.
     [[nodiscard]] const Grid& share() const { return share_; }
@@ -34,7 +34,7 @@ class AbrasionReach {
   private:
     double height_;
     WorkerPool& pool_;
-    WholeGrid below_;  ///< the ground upside down, over which shadows are levels
+    FixedPointGrid below_;  ///< the ground upside down, over which shadows are levels
     WindShadow levels_;
     Grid share_;
 };

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "base/worker_pool.h"
 #include "models/dunes/hop_spread.h"
 #include "models/dunes/plants.h"
@@ -78,7 +78,7 @@ void ContinuousTransport::step(DuneBed& bed, const Wind& wind) {
     const double layer = layer_of(wind.blowing);
     pool_.for_ranges(ground_.ny, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
-            give_up_if_asked();
+            throw_if_cancelled();
             lift(bed, wind, layer, y);
             std::ranges::fill(arrived_.row(y), 0);
             std::ranges::fill(landed_.row(y), 0);
@@ -87,10 +87,10 @@ void ContinuousTransport::step(DuneBed& bed, const Wind& wind) {
     for (int move = 1; move <= hops_.moves; ++move) {
         const bool last = move == hops_.moves;
         hop(bed, wind);
-        blow_in(bed, wind.blowing);
+        add_influx(bed, wind.blowing);
         pool_.for_ranges(ground_.ny, [&](int begin, int end) {
             for (int y = begin; y < end; ++y) {
-                give_up_if_asked();
+                throw_if_cancelled();
                 if (last) drift_down(bed, wind.blowing.strength, y);
                 deposit(last ? after_ : bed.surface, bed, wind, y);
                 if (!last) std::ranges::fill(arrived_.row(y), 0);
@@ -238,7 +238,7 @@ std::int64_t ContinuousTransport::hop_rows(const DuneBed& bed, const Spread& spr
                                            int end) {
     std::int64_t lost = 0;
     for (int y = begin; y < end; ++y) {
-        give_up_if_asked();
+        throw_if_cancelled();
         for (int x = 0; x < ground_.nx; ++x) {
             const std::int64_t amount = bed.moving(x, y);
             if (amount == 0) continue;
@@ -271,7 +271,7 @@ std::int64_t ContinuousTransport::hop_rows(const DuneBed& bed, const Spread& spr
 }
 
 /// Sand that hops in from beyond open edges.
-void ContinuousTransport::blow_in(DuneBed& bed, const BlowingWind& wind) {
+void ContinuousTransport::add_influx(DuneBed& bed, const BlowingWind& wind) {
     const auto amount =
         static_cast<std::int64_t>(layer_of(wind) * parameters_.influx /
                                   (hops_.landing * parameters_.deposit_on_sand) / hops_.moves);
@@ -341,7 +341,7 @@ void ContinuousTransport::drift_down(const DuneBed& bed, double strength, int y)
     }
 }
 
-void ContinuousTransport::deposit(WholeGrid& on, DuneBed& bed, const Wind& wind, int y) {
+void ContinuousTransport::deposit(FixedPointGrid& on, DuneBed& bed, const Wind& wind, int y) {
     constexpr double thickness = full_cover * units_per_metre;
     const auto surface = on.row(y);
     const auto landed = landed_.row(y);

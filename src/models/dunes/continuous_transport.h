@@ -7,8 +7,8 @@
 #include "models/dunes/dunes_parameters.h"
 #include "models/dunes/saturation_hops.h"
 #include "models/dunes/wind_bend.h"
+#include "models/dunes/wind_schedule.h"
 #include "models/dunes/wind_shadow.h"
-#include "models/dunes/wind_turns.h"
 
 namespace fumon {
 
@@ -65,7 +65,7 @@ class ContinuousTransport {
     void step(DuneBed& bed, const Wind& wind);
 
     /// What came down in each cell in the last step, and the part of it that ended a hop there.
-    [[nodiscard]] const WholeGrid& landed() const { return landed_; }
+    [[nodiscard]] const FixedPointGrid& landed() const { return landed_; }
     [[nodiscard]] double ended() const { return hops_.ends; }
 
     /// f (1 − r) in a cell: what the wind lifts of loose sand, in parts of what it would from flat
@@ -82,8 +82,8 @@ class ContinuousTransport {
     std::int64_t hop_rows(const DuneBed& bed, const Spread& spread, int begin, int end);
     template <class Spread>
     void hop_all(DuneBed& bed, const Spread& spread, double reach_y);
-    void blow_in(DuneBed& bed, const BlowingWind& wind);
-    void deposit(WholeGrid& on, DuneBed& bed, const Wind& wind, int y);
+    void add_influx(DuneBed& bed, const BlowingWind& wind);
+    void deposit(FixedPointGrid& on, DuneBed& bed, const Wind& wind, int y);
     void drift_down(const DuneBed& bed, double strength, int y);
 
     /// Where a cell number along an axis lies in the grid; −1 beyond an open edge.
@@ -104,9 +104,9 @@ class ContinuousTransport {
     WorkerPool& pool_;
     double drift_x_;  ///< c q0 Δt / dx² of a wind of strength 1
     double drift_y_;
-    WholeGrid arrived_;  ///< in the last move
-    WholeGrid landed_;   ///< in all moves of the step
-    WholeGrid after_;    ///< the surface after the step
+    FixedPointGrid arrived_;  ///< in the last move
+    FixedPointGrid landed_;   ///< in all moves of the step
+    FixedPointGrid after_;    ///< the surface after the step
 };
 
 /// How much further than over the mean surface hops reach at a height so many metres above it.

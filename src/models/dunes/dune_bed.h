@@ -2,16 +2,16 @@
 
 #include <cstdint>
 
-#include "models/shared/whole_lengths.h"
+#include "models/shared/fixed_point_lengths.h"
 
 namespace fumon {
 
 /// What dunes are made of, in units of whole_lengths.h. The sum of sand at rest and moving, plus
 /// outflow, less inflow and worn rock, never changes.
 struct DuneBed {
-    WholeGrid surface;  ///< height of rock and sand
-    WholeGrid rock;     ///< height of the hard floor
-    WholeGrid moving;   ///< sand in the air, as a thickness
+    FixedPointGrid surface;  ///< height of rock and sand
+    FixedPointGrid rock;     ///< height of the hard floor
+    FixedPointGrid moving;   ///< sand in the air, as a thickness
     std::int64_t inflow =
         0;  ///< over open edges and of sources since the start, as a thickness of one cell
     std::int64_t outflow = 0;  ///< likewise
@@ -19,7 +19,7 @@ struct DuneBed {
 };
 
 /// The mean height of a surface, metres.
-inline double mean_height(const WholeGrid& surface) {
+inline double mean_height(const FixedPointGrid& surface) {
     double sum = 0.0;
     for (int y = 0; y < surface.ny(); ++y) {
         double of_row = 0.0;

@@ -8,7 +8,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "models/dunes/ground_features.h"
@@ -156,7 +156,7 @@ DuneBed first_bed(const DunesParameters& parameters, const ModelSetup& setup) {
     check_heights(setup);
     const int nx = setup.bed.nx();
     const int ny = setup.bed.ny();
-    DuneBed bed{WholeGrid(nx, ny), WholeGrid(nx, ny), WholeGrid(nx, ny)};
+    DuneBed bed{FixedPointGrid(nx, ny), FixedPointGrid(nx, ny), FixedPointGrid(nx, ny)};
     const std::int64_t cover = to_units(parameters.sand_cover);
     const std::int64_t level = to_units(parameters.rock_level);
     double sand = 0.0;
@@ -220,7 +220,7 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
                                                                      : parameters.shadow_angle),
                        tangent(parameters.shadow_angle)},
       slab_height_(slab_height_of(parameters, ground_)),
-      turns_(
+      schedule_(
           parameters.winds,
           [&](double strength) { return step_length(parameters, ground_, strength); }, setup.seed),
       bed_(first_bed(parameters, setup)),
@@ -240,8 +240,8 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
         steepen_under_plants();
     }
     if (parameters.avalanche_age) {
-        slopes_.remember_sliding();
-        slid_at_ = WholeGrid(ground_.nx, ground_.ny);
+        slopes_.track_slid_cells();
+        slid_at_ = FixedPointGrid(ground_.nx, ground_.ny);
     }
     if (parameters.transport == DuneTransport::slabs) {
         slabs_.emplace(parameters, ground_, slab_height_, shadow_tangents_, setup.seed, pool_);
@@ -269,7 +269,7 @@ void Dunes::steepen_under_plants() {
 }
 
 void Dunes::step() {
-    const BlowingWind wind = turns_.at(steps_);
+    const BlowingWind wind = schedule_.at(steps_);
     const int most_passes = static_cast<int>(parameters_.avalanche_passes);
     if (slabs_) {
         SlabTransport::Avalanches avalanches{slopes_, most_passes};
@@ -284,12 +284,12 @@ void Dunes::step() {
     }
     fill_sources();
     if (parameters_.avalanche_age) note_slides();
-    if (plants_ && plants_->grow(bed_, turns_.time(steps_ + 1), steps_)) steepen_under_plants();
+    if (plants_ && plants_->grow(bed_, schedule_.time(steps_ + 1), steps_)) steepen_under_plants();
     ++steps_;
 }
 
 void Dunes::note_slides() {
-    slopes_.forget_slid([&](int x, int y) { slid_at_(x, y) = steps_ + 1; });
+    slopes_.drain_slid_cells([&](int x, int y) { slid_at_(x, y) = steps_ + 1; });
 }
 
 ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
@@ -325,7 +325,7 @@ void Dunes::bend(const BlowingWind& wind) const {
 
 double Dunes::saturated_air() const {
     if (parameters_.transport == DuneTransport::slabs) return 0.0;
-    const BlowingWind wind = turns_.at(steps_);
+    const BlowingWind wind = schedule_.at(steps_);
     const SaturationHops hops = saturation_hops(parameters_, ground_, wind.x, wind.y);
     return parameters_.flux * step_length(parameters_, ground_, 1.0) * hops.kept / hops.length;
 }
@@ -351,7 +351,7 @@ void Dunes::blow_continuously(const BlowingWind& wind) {
     }
 }
 
-std::string Dunes::doubt() const {
+std::string Dunes::plausibility_warning() const {
     if (at_rest_) return {};
     return fmt::format(
         "avalanches had not come to rest after model.avalanche_passes = {} passes, so that slopes "
@@ -359,24 +359,24 @@ std::string Dunes::doubt() const {
         parameters_.avalanche_passes);
 }
 
-void Dunes::carry(StateCarrier& carrier) {
-    carrier.count("steps", steps_);
-    carrier.count("sand_inflow", bed_.inflow);
-    carrier.count("sand_outflow", bed_.outflow);
-    carrier.count("avalanche_passes", passes_);
-    carrier.value("avalanches_at_rest", at_rest_);
-    carrier.values("surface", bed_.surface.values());
-    carrier.values("rock", bed_.rock.values());
-    carrier.values("moving_sand", bed_.moving.values());
-    if (rock_wear_) carrier.count("rock_worn", bed_.worn);
+void Dunes::serialise(StateArchive& archive) {
+    archive.count("steps", steps_);
+    archive.count("sand_inflow", bed_.inflow);
+    archive.count("sand_outflow", bed_.outflow);
+    archive.count("avalanche_passes", passes_);
+    archive.value("avalanches_at_rest", at_rest_);
+    archive.values("surface", bed_.surface.values());
+    archive.values("rock", bed_.rock.values());
+    archive.values("moving_sand", bed_.moving.values());
+    if (rock_wear_) archive.count("rock_worn", bed_.worn);
     if (plants_) {
-        plants_->carry(carrier);
+        plants_->serialise(archive);
         steepen_under_plants();
     }
     if (parameters_.avalanche_age) {
-        carrier.values("slid_at", slid_at_.values());
+        archive.values("slid_at", slid_at_.values());
         for (const std::int64_t step : slid_at_.values()) {
-            if (step < 0 || step > steps_) carrier.refuse("it has avalanches of steps to come");
+            if (step < 0 || step > steps_) archive.refuse("it has avalanches of steps to come");
         }
     }
     const std::int64_t highest = to_units(highest_bed);
@@ -385,8 +385,8 @@ void Dunes::carry(StateCarrier& carrier) {
         const std::int64_t rock = bed_.rock.values()[cell];
         const std::int64_t moving = bed_.moving.values()[cell];
         if (surface > highest || rock < -highest || moving > highest)
-            carrier.refuse("it has cells higher or lower than any");
-        if (surface < rock || moving < 0) carrier.refuse("it has cells with less than no sand");
+            archive.refuse("it has cells higher or lower than any");
+        if (surface < rock || moving < 0) archive.refuse("it has cells with less than no sand");
     }
 }
 

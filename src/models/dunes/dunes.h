@@ -14,8 +14,8 @@
 #include "models/dunes/rock_wear.h"
 #include "models/dunes/slab_transport.h"
 #include "models/dunes/wind_bend.h"
+#include "models/dunes/wind_schedule.h"
 #include "models/dunes/wind_shadow.h"
-#include "models/dunes/wind_turns.h"
 #include "models/dunes/windward_walls.h"
 #include "models/shared/model.h"
 
@@ -49,7 +49,7 @@ class Dunes : public Model {
     [[nodiscard]] std::string_view name() const override { return model_name; }
     void step() override;
     [[nodiscard]] std::int64_t steps_done() const override { return steps_; }
-    [[nodiscard]] double time() const override { return turns_.time(steps_); }
+    [[nodiscard]] double time() const override { return schedule_.time(steps_); }
     [[nodiscard]] std::string_view time_unit() const override { return "yr"; }
 
     /// The bed, rock and sand; fields "sand", "rock", "moving_sand" (m), "wind_shadow" and
@@ -60,14 +60,14 @@ class Dunes : public Model {
     [[nodiscard]] Snapshot snapshot() const override;
 
     /// Where avalanches of the last step did not come to rest.
-    [[nodiscard]] std::string doubt() const override;
+    [[nodiscard]] std::string plausibility_warning() const override;
 
     /// "bed", "rock", "moving_sand" in metres, "flows": inflow and outflow; with rock that is worn
     /// "worn", with plants "grass", "shrubs", "surface_at_growth" and "time_of_growth". The spans
     /// hold until the next call.
     [[nodiscard]] std::vector<StateField> state() const override;
 
-    void carry(StateCarrier& carrier) override;
+    void serialise(StateArchive& archive) override;
 
     [[nodiscard]] const DuneBed& bed() const { return bed_; }
 
@@ -92,7 +92,7 @@ class Dunes : public Model {
     WorkerPool& pool_;
     ShadowTangents shadow_tangents_;
     double slab_height_;  ///< m
-    WindTurns turns_;
+    WindSchedule schedule_;
     DuneBed bed_;
     SlopeRelaxation slopes_;
     mutable WindShadow shadow_;
@@ -103,11 +103,11 @@ class Dunes : public Model {
     std::optional<RockWear> rock_wear_;
     std::optional<ContinuousTransport> continuous_;
     std::optional<SlabTransport> slabs_;
-    WholeGrid slid_at_;  ///< step in which each cell last slid, 0 for none, where that is kept
+    FixedPointGrid slid_at_;  ///< step in which each cell last slid, 0 for none, where that is kept
     std::int64_t steps_ = 0;
     std::int64_t passes_ = 0;  ///< of the last step's avalanches
     bool at_rest_ = true;      ///< whether they have ended
-    WholeGrid sources_;        ///< least thickness of sand; empty where there are none
+    FixedPointGrid sources_;   ///< least thickness of sand; empty where there are none
     mutable Grid relief_;      ///< working memory of the shear stress
     mutable Grid across_;      ///< likewise
     mutable BentWind bent_;
@@ -118,8 +118,8 @@ class Dunes : public Model {
     mutable std::vector<double> state_worn_;
     mutable Grid state_grass_;
     mutable Grid state_shrubs_;
-    mutable Grid state_surface_then_;
-    mutable std::vector<double> state_time_then_;
+    mutable Grid state_surface_at_last_growth_;
+    mutable std::vector<double> state_time_of_last_growth_;
 };
 
 }  // namespace fumon

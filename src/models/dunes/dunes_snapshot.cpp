@@ -13,7 +13,7 @@ namespace fumon {
 
 namespace {
 
-Grid in_metres(const WholeGrid& whole) {
+Grid in_metres(const FixedPointGrid& whole) {
     Grid grid(whole.nx(), whole.ny());
     std::ranges::transform(whole.values(), grid.values().begin(), to_metres);
     return grid;
@@ -50,7 +50,7 @@ Grid flux_of_fields(const Snapshot& snapshot, double saturated) {
 }  // namespace
 
 Grid Dunes::local_wind() const {
-    const BlowingWind wind = turns_.at(steps_);
+    const BlowingWind wind = schedule_.at(steps_);
     const ContinuousTransport::Wind over = wind_over_bed(wind);
     Grid local(ground_.nx, ground_.ny);
     for (int y = 0; y < ground_.ny; ++y) {
@@ -62,7 +62,7 @@ Grid Dunes::local_wind() const {
 
 /// Of the wind that local_wind() has found.
 Grid Dunes::wind_turn() const {
-    const BlowingWind wind = turns_.at(steps_);
+    const BlowingWind wind = schedule_.at(steps_);
     Grid turn(ground_.nx, ground_.ny);
     for (std::size_t cell = 0; cell < turn.size(); ++cell) {
         const double x = bent_.x.values()[cell];
@@ -76,7 +76,7 @@ Grid Dunes::wind_turn() const {
 Grid Dunes::avalanche_age() const {
     Grid age(ground_.nx, ground_.ny);
     std::ranges::transform(slid_at_.values(), age.values().begin(),
-                           [&](std::int64_t step) { return time() - turns_.time(step); });
+                           [&](std::int64_t step) { return time() - schedule_.time(step); });
     return age;
 }
 
@@ -85,7 +85,7 @@ Snapshot Dunes::snapshot() const {
                       {},     scale_};
     snapshot.landform = landform;
     snapshot.periodic = ground_.periodic_x && ground_.periodic_y;
-    snapshot.winds = turns_.drifts(parameters_.flux);
+    snapshot.winds = schedule_.drifts(parameters_.flux);
     Grid sand = snapshot.bed;
     const Grid rock = in_metres(bed_.rock);
     std::ranges::transform(sand.values(), rock.values(), sand.values().begin(), std::minus<>());
@@ -112,7 +112,7 @@ Snapshot Dunes::snapshot() const {
                         {"avalanche_passes", "1", static_cast<double>(passes_)}};
     if (rock_wear_) snapshot.numbers.push_back({"rock_worn", "m3", area * to_metres(bed_.worn)});
     if (parameters_.winds.size() > 1) {
-        const BlowingWind wind = turns_.at(steps_);
+        const BlowingWind wind = schedule_.at(steps_);
         const double from = elementary::atan2(-wind.x, -wind.y) * degrees_per_radian;
         snapshot.numbers.push_back({"wind_from", "degrees", from < 0.0 ? from + 360.0 : from});
     }
@@ -150,12 +150,12 @@ std::vector<StateField> Dunes::state() const {
     if (plants_) {
         state_grass_ = plants_->grass();
         state_shrubs_ = plants_->shrubs();
-        state_surface_then_ = in_metres(plants_->surface_then());
-        state_time_then_ = {plants_->time_then()};
+        state_surface_at_last_growth_ = in_metres(plants_->surface_at_last_growth());
+        state_time_of_last_growth_ = {plants_->time_of_last_growth()};
         state.push_back({"grass", state_grass_.values()});
         state.push_back({"shrubs", state_shrubs_.values()});
-        state.push_back({"surface_at_growth", state_surface_then_.values()});
-        state.push_back({"time_of_growth", state_time_then_});
+        state.push_back({"surface_at_growth", state_surface_at_last_growth_.values()});
+        state.push_back({"time_of_growth", state_time_of_last_growth_});
     }
     return state;
 }

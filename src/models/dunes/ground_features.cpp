@@ -13,7 +13,7 @@ namespace fumon {
 namespace {
 
 /// The way from one place to another along an axis, round a periodic one the shorter way.
-double way_between(double from, double to, double size, bool periodic) {
+double wrapped_distance(double from, double to, double size, bool periodic) {
     const double way = to - from;
     return periodic ? way - size * std::floor(way / size + 0.5) : way;
 }
@@ -37,11 +37,11 @@ void for_each_place(const DuneFeature& feature, const DuneGround& ground, Do&& a
     const double east = elementary::sin(feature.axis * degree);
     const double north = elementary::cos(feature.axis * degree);
     for (int y = 0; y < ground.ny; ++y) {
-        const double up =
-            way_between(feature.y, (y + 0.5) * ground.dy, ground.ny * ground.dy, ground.periodic_y);
+        const double up = wrapped_distance(feature.y, (y + 0.5) * ground.dy, ground.ny * ground.dy,
+                                           ground.periodic_y);
         for (int x = 0; x < ground.nx; ++x) {
-            const double right = way_between(feature.x, (x + 0.5) * ground.dx,
-                                             ground.nx * ground.dx, ground.periodic_x);
+            const double right = wrapped_distance(feature.x, (x + 0.5) * ground.dx,
+                                                  ground.nx * ground.dx, ground.periodic_x);
             act(x, y, right * east + up * north, right * north - up * east);
         }
     }
@@ -96,11 +96,11 @@ void set_features(const std::vector<DuneFeature>& features, const DuneGround& gr
     }
 }
 
-WholeGrid sources_of(const std::vector<DuneFeature>& features, const DuneGround& ground) {
-    WholeGrid sources;
+FixedPointGrid sources_of(const std::vector<DuneFeature>& features, const DuneGround& ground) {
+    FixedPointGrid sources;
     for (const DuneFeature& feature : features) {
         if (feature.kind != FeatureKind::source) continue;
-        if (sources.empty()) sources = WholeGrid(ground.nx, ground.ny);
+        if (sources.empty()) sources = FixedPointGrid(ground.nx, ground.ny);
         const Grid shape = feature_shape(feature, ground);
         for (std::size_t cell = 0; cell < shape.size(); ++cell)
             sources.values()[cell] += to_units(feature.height * shape.values()[cell]);

@@ -31,6 +31,6 @@ void set_features(const std::vector<DuneFeature>& features, const DuneGround& gr
                   std::uint64_t seed, DuneBed& bed);
 
 /// The thickness of sand that sources keep, 0 where there are none; empty where no feature is one.
-WholeGrid sources_of(const std::vector<DuneFeature>& features, const DuneGround& ground);
+FixedPointGrid sources_of(const std::vector<DuneFeature>& features, const DuneGround& ground);
 
 }  // namespace fumon

@@ -47,7 +47,7 @@ GroundFilter::GroundFilter(const DuneGround& ground, WorkerPool& pool)
       extended_(ground_.nx > nx_ || ground_.ny > ny_ ? Grid(ground_.nx, ground_.ny) : Grid()),
       filter_(ground_.nx, ground_.ny, pool) {}
 
-void GroundFilter::go_on_past_edges(const Grid& plane) {
+void GroundFilter::extend_past_edges(const Grid& plane) {
     const int beyond_x = ground_.nx - nx_;
     const int beyond_y = ground_.ny - ny_;
     pool_.for_ranges(ny_, [&](int begin, int end) {
@@ -79,7 +79,7 @@ void GroundFilter::filter(Grid& plane, const PlaneFilter::Response& response) {
         filter_.apply(plane, response);
         return;
     }
-    go_on_past_edges(plane);
+    extend_past_edges(plane);
     filter_.apply(extended_, response);
     for (int y = 0; y < ny_; ++y) std::copy_n(extended_.row(y).begin(), nx_, plane.row(y).begin());
 }

@@ -56,7 +56,7 @@ class GroundFilter {
 
   private:
     void filter(Grid& plane, const PlaneFilter::Response& response);
-    void go_on_past_edges(const Grid& plane);
+    void extend_past_edges(const Grid& plane);
 
     int nx_;  ///< of the bed
     int ny_;

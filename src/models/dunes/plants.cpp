@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string>
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
 #include "base/random.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "base/worker_pool.h"
 #include "models/dunes/ground_features.h"
 
@@ -60,7 +60,7 @@ Plants::Plants(const DunesParameters& parameters, const DuneGround& ground, cons
       without_lift_(parameters.cover_without_lift),
       bare_angle_(parameters.repose_angle),
       plant_angle_(parameters.plant_repose_angle),
-      surface_then_(bed.surface),
+      surface_at_last_growth_(bed.surface),
       cover_(ground.nx, ground.ny) {
     if (plant_angle_ < bare_angle_) {
         throw KeyError("model.plant_repose_angle",
@@ -90,8 +90,8 @@ void Plants::plant(const DuneSpecies& asked, FeatureKind kind, const DunesParame
             here = clears ? here * (1.0 - part) : std::max(here, part);
         }
     }
-    WholeGrid& cover = species_[index].cover;
-    cover = WholeGrid(ground_.nx, ground_.ny);
+    FixedPointGrid& cover = species_[index].cover;
+    cover = FixedPointGrid(ground_.nx, ground_.ny);
     for (int y = 0; y < ground_.ny; ++y) {
         RandomStream stream(seed, static_cast<std::uint32_t>(y), static_cast<std::int64_t>(index),
                             Purpose::first_plants);
@@ -99,12 +99,12 @@ void Plants::plant(const DuneSpecies& asked, FeatureKind kind, const DunesParame
             if (stream.uniform() < asked.share) cover(x, y) = to_cover(asked.cover * share(x, y));
         }
     }
-    species_[index].before = WholeGrid(ground_.nx, ground_.ny);
+    species_[index].before = FixedPointGrid(ground_.nx, ground_.ny);
 }
 
 bool Plants::grow(const DuneBed& bed, double time, std::int64_t step) {
     constexpr double rounding = 1e-9;
-    const double years = time - time_then_;
+    const double years = time - time_of_last_growth_;
     if (!grows_ || years < period_ * (1.0 - rounding)) return false;
     for (std::size_t index = 0; index < species_.size(); ++index) {
         Species& species = species_[index];
@@ -112,13 +112,13 @@ bool Plants::grow(const DuneBed& bed, double time, std::int64_t step) {
         const std::int64_t draw = 2 * step + static_cast<std::int64_t>(index);
         pool_.for_ranges(ground_.ny, [&](int begin, int end) {
             for (int y = begin; y < end; ++y) {
-                give_up_if_asked();
+                throw_if_cancelled();
                 grow_row(species, bed, years, draw, y);
             }
         });
     }
-    surface_then_ = bed.surface;
-    time_then_ = time;
+    surface_at_last_growth_ = bed.surface;
+    time_of_last_growth_ = time;
     find_cover();
     return true;
 }
@@ -128,7 +128,7 @@ void Plants::grow_row(Species& species, const DuneBed& bed, double years, std::i
     RandomStream stream(seed_, static_cast<std::uint32_t>(y), step, Purpose::plants);
     for (int x = 0; x < ground_.nx; ++x) {
         const std::int64_t before = species.before(x, y);
-        const double rise = to_metres(bed.surface(x, y) - surface_then_(x, y));
+        const double rise = to_metres(bed.surface(x, y) - surface_at_last_growth_(x, y));
         // Any more would be no other: a cover is gone or whole.
         const double change = std::clamp(years * species.law.at(rise / years), -1.0, 1.0);
         std::int64_t& cover = species.cover(x, y);
@@ -144,7 +144,7 @@ void Plants::grow_row(Species& species, const DuneBed& bed, double years, std::i
     }
 }
 
-bool Plants::beside(const WholeGrid& cover, int x, int y) const {
+bool Plants::beside(const FixedPointGrid& cover, int x, int y) const {
     const auto place = [](int cell, int count, bool periodic) {
         if (cell >= 0 && cell < count) return cell;
         return !periodic ? std::clamp(cell, 0, count - 1) : (cell + count) % count;
@@ -171,21 +171,21 @@ Grid Plants::angles() const {
     return angles;
 }
 
-Grid Plants::in_parts(const WholeGrid& cover) {
+Grid Plants::in_parts(const FixedPointGrid& cover) {
     Grid parts(cover.nx(), cover.ny());
     std::ranges::transform(cover.values(), parts.values().begin(), in_part);
     return parts;
 }
 
-void Plants::carry(StateCarrier& carrier) {
-    carrier.values("grass", species_[0].cover.values());
-    carrier.values("shrubs", species_[1].cover.values());
-    carrier.values("surface_at_growth", surface_then_.values());
-    carrier.value("time_of_growth", time_then_);
+void Plants::serialise(StateArchive& archive) {
+    archive.values("grass", species_[0].cover.values());
+    archive.values("shrubs", species_[1].cover.values());
+    archive.values("surface_at_growth", surface_at_last_growth_.values());
+    archive.value("time_of_growth", time_of_last_growth_);
     for (const Species& species : species_) {
         for (const std::int64_t cover : species.cover.values()) {
             if (cover < 0 || cover > whole_cover)
-                carrier.refuse("it has plants that cover less than nothing or more than all");
+                archive.refuse("it has plants that cover less than nothing or more than all");
         }
     }
     find_cover();

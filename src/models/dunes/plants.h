@@ -12,7 +12,7 @@
 
 namespace fumon {
 
-class StateCarrier;
+class StateArchive;
 class WorkerPool;
 
 /// Plants on dunes, after Baas (2002) and Nield & Baas (2008): two species, grass that thrives on
@@ -54,23 +54,25 @@ class Plants {
     [[nodiscard]] Grid grass() const { return in_parts(species_[0].cover); }
     [[nodiscard]] Grid shrubs() const { return in_parts(species_[1].cover); }
     /// The surface when plants last grew, and when that was, years.
-    [[nodiscard]] const WholeGrid& surface_then() const { return surface_then_; }
-    [[nodiscard]] double time_then() const { return time_then_; }
+    [[nodiscard]] const FixedPointGrid& surface_at_last_growth() const {
+        return surface_at_last_growth_;
+    }
+    [[nodiscard]] double time_of_last_growth() const { return time_of_last_growth_; }
 
-    void carry(StateCarrier& carrier);
+    void serialise(StateArchive& archive);
 
   private:
     struct Species {
-        WholeGrid cover;
-        WholeGrid before;
+        FixedPointGrid cover;
+        FixedPointGrid before;
         GrowthLaw law;
     };
 
-    static Grid in_parts(const WholeGrid& cover);
+    static Grid in_parts(const FixedPointGrid& cover);
     void plant(const DuneSpecies& asked, FeatureKind kind, const DunesParameters& parameters,
                std::size_t index, std::uint64_t seed);
     void grow_row(Species& species, const DuneBed& bed, double years, std::int64_t step, int y);
-    [[nodiscard]] bool beside(const WholeGrid& cover, int x, int y) const;
+    [[nodiscard]] bool beside(const FixedPointGrid& cover, int x, int y) const;
     void find_cover();
 
     DuneGround ground_;
@@ -84,8 +86,8 @@ class Plants {
     double bare_angle_;
     double plant_angle_;
     std::array<Species, 2> species_;
-    WholeGrid surface_then_;
-    double time_then_ = 0.0;
+    FixedPointGrid surface_at_last_growth_;
+    double time_of_last_growth_ = 0.0;
     Grid cover_;
 };
 

@@ -4,8 +4,8 @@
 
 #include "base/grid.h"
 #include "models/dunes/ground_filter.h"
+#include "models/dunes/wind_schedule.h"
 #include "models/dunes/wind_shadow.h"
-#include "models/dunes/wind_turns.h"
 
 namespace fumon {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "base/worker_pool.h"
 
 namespace fumon {
@@ -62,8 +62,8 @@ std::int64_t RockWear::crumbles(std::int64_t here, const Around& rock) const {
                                      fall);
 }
 
-void RockWear::wear(DuneBed& bed, const BlowingWind& wind, const WholeGrid& landed, double ended,
-                    const Grid* cover) {
+void RockWear::wear(DuneBed& bed, const BlowingWind& wind, const FixedPointGrid& landed,
+                    double ended, const Grid* cover) {
     before_ = bed.rock;
     if (reach_) reach_->find(bed.surface, wind);
     const auto dust_of = [&](std::int64_t worn) {
@@ -71,7 +71,7 @@ void RockWear::wear(DuneBed& bed, const BlowingWind& wind, const WholeGrid& land
     };
     pool_.for_ranges(ground_.ny, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
-            give_up_if_asked();
+            throw_if_cancelled();
             std::int64_t of_row = 0;
             std::int64_t dust_of_row = 0;
             for (int x = 0; x < ground_.nx; ++x) {
@@ -102,7 +102,7 @@ void RockWear::wear(DuneBed& bed, const BlowingWind& wind, const WholeGrid& land
             dust_of_row_(0, y) = dust_of_row;
         }
     });
-    const auto sum = [](const WholeGrid& rows) {
+    const auto sum = [](const FixedPointGrid& rows) {
         return std::accumulate(rows.values().begin(), rows.values().end(), std::int64_t{0});
     };
     bed.worn += sum(worn_of_row_);

@@ -5,8 +5,8 @@
 #include "base/grid.h"
 #include "models/dunes/abrasion_reach.h"
 #include "models/dunes/dune_bed.h"
+#include "models/dunes/wind_schedule.h"
 #include "models/dunes/wind_shadow.h"
-#include "models/dunes/wind_turns.h"
 
 namespace fumon {
 
@@ -44,7 +44,7 @@ class RockWear {
 
     /// `landed`: what has come down in each cell in this step, of which the part `ended` ended a
     /// hop there. `cover`: of plants, or null.
-    void wear(DuneBed& bed, const BlowingWind& wind, const WholeGrid& landed, double ended,
+    void wear(DuneBed& bed, const BlowingWind& wind, const FixedPointGrid& landed, double ended,
               const Grid* cover);
 
   private:
@@ -66,9 +66,9 @@ class RockWear {
     Rule rule_;
     WorkerPool& pool_;
     std::optional<AbrasionReach> reach_;
-    WholeGrid before_;  ///< the rock before
-    WholeGrid worn_of_row_;
-    WholeGrid dust_of_row_;
+    FixedPointGrid before_;  ///< the rock before
+    FixedPointGrid worn_of_row_;
+    FixedPointGrid dust_of_row_;
 };
 
 }  // namespace fumon

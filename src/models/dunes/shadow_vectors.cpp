@@ -6,10 +6,10 @@
 #include <cstddef>
 
 #include "models/dunes/shadow_vectors.h"
-#include "models/shared/whole_lengths.h"
+#include "models/shared/fixed_point_lengths.h"
 #include "vectors/functions-inl.h"
+#include "vectors/integers-inl.h"
 #include "vectors/rows-inl.h"
-#include "vectors/whole_numbers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumon::shadow_vectors {
@@ -18,8 +18,8 @@ namespace HWY_NAMESPACE {
 using namespace vectors::HWY_NAMESPACE;
 
 template <bool with_shade, bool with_envelope>
-HWY_INLINE void go_on_with(const Lines& lines, const Fall& fall, const Between& between,
-                           double range, double* shade, double* envelope) {
+HWY_INLINE void advance_line_vector(const Lines& lines, const Fall& fall, const Between& between,
+                                    double range, double* shade, double* envelope) {
     const hn::ScalableTag<double> doubles;
     const auto near = hn::Set(doubles, 1.0 - between.beyond);
     const auto beyond = hn::Set(doubles, between.beyond);
@@ -59,20 +59,21 @@ HWY_INLINE void go_on_with(const Lines& lines, const Fall& fall, const Between& 
     }
 }
 
-void go_on(const Lines& lines, const Fall& fall, const Between& between, double range,
-           double* shade, double* envelope) {
+void advance_lines(const Lines& lines, const Fall& fall, const Between& between, double range,
+                   double* shade, double* envelope) {
     if (shade == nullptr) {
-        go_on_with<false, false>(lines, fall, between, range, shade, envelope);
+        advance_line_vector<false, false>(lines, fall, between, range, shade, envelope);
     } else if (envelope == nullptr) {
-        go_on_with<true, false>(lines, fall, between, range, shade, envelope);
+        advance_line_vector<true, false>(lines, fall, between, range, shade, envelope);
     } else {
-        go_on_with<true, true>(lines, fall, between, range, shade, envelope);
+        advance_line_vector<true, true>(lines, fall, between, range, shade, envelope);
     }
 }
 
 void to_metres(const std::int64_t* units, int count, double* metres) {
     const auto loop = [&](auto doubles, std::size_t x) HWY_ATTR {
-        const auto number = hn::Sub(load_beside(doubles, units + x), hn::Set(doubles, beside));
+        const auto number =
+            hn::Sub(load_offset_integers(doubles, units + x), hn::Set(doubles, integer_offset));
         hn::StoreU(hn::Mul(number, hn::Set(doubles, metres_per_unit)), doubles, metres + x);
     };
     for_each_vector(count, loop);
@@ -110,13 +111,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace fumon::shadow_vectors {
 
-HWY_EXPORT(go_on);
+HWY_EXPORT(advance_lines);
 HWY_EXPORT(to_metres);
 HWY_EXPORT(range_of_row);
 
-void go_on(const Lines& lines, const Fall& fall, const Between& between, double range,
-           double* shade, double* envelope) {
-    HWY_DYNAMIC_DISPATCH(go_on)(lines, fall, between, range, shade, envelope);
+void advance_lines(const Lines& lines, const Fall& fall, const Between& between, double range,
+                   double* shade, double* envelope) {
+    HWY_DYNAMIC_DISPATCH(advance_lines)(lines, fall, between, range, shade, envelope);
 }
 
 void to_metres(const std::int64_t* units, int count, double* metres) {

@@ -30,8 +30,8 @@ struct Fall {
 /// which lie between two lines, and lifts them to the ground below the lines. `shade`: 0 … 1, may
 /// be `heights`; `envelope`: the higher of ground and full surface, m; each may be null. `range` is
 /// the difference of the angles' tangents. All rows have room for a whole number of vectors.
-void go_on(const Lines& lines, const Fall& fall, const Between& between, double range,
-           double* shade, double* envelope);
+void advance_lines(const Lines& lines, const Fall& fall, const Between& between, double range,
+                   double* shade, double* envelope);
 
 /// Heights from −2⁵¹ to 2⁵¹ units in metres.
 void to_metres(const std::int64_t* units, int count, double* metres);

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <numeric>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "base/worker_pool.h"
 #include "models/dunes/continuous_transport.h"
 #include "models/dunes/plants.h"
@@ -63,7 +63,7 @@ void SlabTransport::step(DuneBed& bed, const BlowingWind& wind, const Plants* pl
 /// edge.
 template <class Shade>
 bool SlabTransport::hop(const DuneBed& bed, const BlowingWind& wind, const Shade& shade,
-                        double from_x, double from_y, RandomStream& stream, Place& place) const {
+                        double from_x, double from_y, RandomStream& stream, Cell& place) const {
     const double cells_x = parameters_.hop_length * wind.x / ground_.dx;
     const double cells_y = parameters_.hop_length * wind.y / ground_.dy;
     double x = from_x + stream.uniform();
@@ -117,7 +117,7 @@ std::int64_t SlabTransport::pick_row(const DuneBed& bed, const BlowingWind& wind
         taken += slab;
         share.picked.push_back(x);
         change_(x, y) -= slab;
-        Place place;
+        Cell place;
         if (!hop(bed, wind, shade_at, x, y, stream, place)) {
             lost += slab;
         } else if (place.y >= share.begin && place.y < share.end) {
@@ -133,8 +133,8 @@ std::int64_t SlabTransport::pick_row(const DuneBed& bed, const BlowingWind& wind
 
 /// Slabs that come in over open edges in a sub-step: so many as leave flat ground that drifts at
 /// the share `influx` of saturation.
-std::int64_t SlabTransport::blow_in(const DuneBed& bed, const BlowingWind& wind, const Grid& shade,
-                                    std::int64_t substep) {
+std::int64_t SlabTransport::add_influx(const DuneBed& bed, const BlowingWind& wind,
+                                       const Grid& shade, std::int64_t substep) {
     const auto shade_at = [&](int x, int y) { return shade(x, y); };
     const double hop_x = std::abs(parameters_.hop_length * wind.x / ground_.dx);
     const double hop_y = std::abs(parameters_.hop_length * wind.y / ground_.dy);
@@ -146,7 +146,7 @@ std::int64_t SlabTransport::blow_in(const DuneBed& bed, const BlowingWind& wind,
         const double wanted = slabs + stream.uniform();
         for (auto left = static_cast<std::int64_t>(wanted); left > 0; --left) {
             const auto [x, y] = start();
-            Place place;
+            Cell place;
             if (!hop(bed, wind, shade_at, x, y, stream, place)) continue;
             change_(place.x, place.y) += slab_;
             came += slab_;
@@ -190,7 +190,7 @@ void SlabTransport::step_in_parallel(DuneBed& bed, const BlowingWind& wind, std:
                         {},
                         {}};
             for (int y = begin; y < end; ++y) {
-                give_up_if_asked();
+                throw_if_cancelled();
                 RandomStream stream(seed_, static_cast<std::uint32_t>(y), substep, Purpose::picks);
                 lost_[static_cast<std::size_t>(y)] =
                     pick_row(bed, wind, shadow.shade(), y, stream, share);
@@ -200,7 +200,7 @@ void SlabTransport::step_in_parallel(DuneBed& bed, const BlowingWind& wind, std:
         });
         for (const auto& [place, slab] : beyond) change_(place.x, place.y) += slab;
         bed.outflow += std::accumulate(lost_.begin(), lost_.end(), std::int64_t{0});
-        if (parameters_.influx > 0.0) bed.inflow += blow_in(bed, wind, shadow.shade(), substep);
+        if (parameters_.influx > 0.0) bed.inflow += add_influx(bed, wind, shadow.shade(), substep);
         const auto land = [&](int y) {
             const auto changes = change_.row(y);
             std::ranges::transform(bed.surface.row(y), changes, bed.surface.row(y).begin(),
@@ -210,9 +210,10 @@ void SlabTransport::step_in_parallel(DuneBed& bed, const BlowingWind& wind, std:
         const bool last = k + 1 == substeps;
         const int most =
             last ? avalanches.most_passes : std::min(passes_between, avalanches.most_passes);
-        using Ending = SlopeRelaxation::Ending;
-        const auto outcome = avalanches.slopes.relax(bed.surface, {bed.rock, &rock_range_}, most,
-                                                     last ? Ending::seen : Ending::unseen, land);
+        using RestCheck = SlopeRelaxation::RestCheck;
+        const auto outcome =
+            avalanches.slopes.relax(bed.surface, {bed.rock, &rock_range_}, most,
+                                    last ? RestCheck::required : RestCheck::skipped, land);
         avalanches.passes = std::max(avalanches.passes, outcome.passes);
         if (last) avalanches.at_rest = outcome.at_rest;
     }
@@ -272,7 +273,7 @@ void SlabTransport::step_in_sequence(DuneBed& bed, const BlowingWind& wind, std:
         avalanches.at_rest = outcome.at_rest;
     }
     for (std::uint32_t pick = 0; pick < cells; ++pick) {
-        if (pick % nx == 0) give_up_if_asked();
+        if (pick % nx == 0) throw_if_cancelled();
         const std::uint32_t cell = stream.below(cells);
         const auto x = static_cast<int>(cell % nx);
         const auto y = static_cast<int>(cell / nx);
@@ -280,7 +281,7 @@ void SlabTransport::step_in_sequence(DuneBed& bed, const BlowingWind& wind, std:
         const std::int64_t slab = std::min(slab_, bed.surface(x, y) - bed.rock(x, y));
         if (slab <= 0 || chance < held(shade_at(x, y), x, y)) continue;
         bed.surface(x, y) -= slab;
-        Place place;
+        Cell place;
         const bool rests = hop(bed, wind, shade_at, x, y, stream, place);
         settle(cell);
         if (!rests) {

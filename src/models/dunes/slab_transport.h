@@ -8,8 +8,8 @@
 #include "models/avalanche/slope_relaxation.h"
 #include "models/dunes/dune_bed.h"
 #include "models/dunes/dunes_parameters.h"
+#include "models/dunes/wind_schedule.h"
 #include "models/dunes/wind_shadow.h"
-#include "models/dunes/wind_turns.h"
 
 namespace fumon {
 
@@ -45,13 +45,13 @@ class SlabTransport {
               WindShadow& shadow, Avalanches& avalanches);
 
   private:
-    struct Place {
+    struct Cell {
         int x = 0;
         int y = 0;
     };
 
     struct Landing {
-        Place place;
+        Cell place;
         std::int64_t slab;
     };
 
@@ -71,11 +71,11 @@ class SlabTransport {
     [[nodiscard]] std::int64_t pick_row(const DuneBed& bed, const BlowingWind& wind,
                                         const Grid& shade, int y, RandomStream& stream,
                                         Share& share);
-    [[nodiscard]] std::int64_t blow_in(const DuneBed& bed, const BlowingWind& wind,
-                                       const Grid& shade, std::int64_t substep);
+    [[nodiscard]] std::int64_t add_influx(const DuneBed& bed, const BlowingWind& wind,
+                                          const Grid& shade, std::int64_t substep);
     template <class Shade>
     bool hop(const DuneBed& bed, const BlowingWind& wind, const Shade& shade, double from_x,
-             double from_y, RandomStream& stream, Place& place) const;
+             double from_y, RandomStream& stream, Cell& place) const;
     [[nodiscard]] double marched_shade(const DuneBed& bed, const BlowingWind& wind, int x, int y,
                                        std::int64_t highest) const;
     /// The probability that a picked slab stays where it is.
@@ -90,7 +90,7 @@ class SlabTransport {
     const Plants* plants_ = nullptr;  ///< of the step
     double mean_ = 0.0;               ///< m, of the surface at the step's start
     FloorRange rock_range_;
-    WholeGrid change_;
+    FixedPointGrid change_;
     std::vector<std::int64_t> picks_;  ///< of each row
     std::vector<std::int64_t> lost_;   ///< by each row
 };

@@ -58,7 +58,7 @@ ContourBend::ContourBend(const DuneGround& ground, WorkerPool& pool)
     }
 }
 
-void ContourBend::find(const WholeGrid& surface, const BlowingWind& wind, BentWind& bent) {
+void ContourBend::find(const FixedPointGrid& surface, const BlowingWind& wind, BentWind& bent) {
     std::ranges::fill(bent.x.values(), 0.0);
     std::ranges::fill(bent.y.values(), 0.0);
     for (const Scale& scale : scales_) {

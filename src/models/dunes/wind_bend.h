@@ -5,8 +5,8 @@
 #include "base/grid.h"
 #include "models/dunes/dune_bed.h"
 #include "models/dunes/ground_filter.h"
+#include "models/dunes/wind_schedule.h"
 #include "models/dunes/wind_shadow.h"
-#include "models/dunes/wind_turns.h"
 
 namespace fumon {
 
@@ -34,7 +34,7 @@ class ContourBend {
   public:
     ContourBend(const DuneGround& ground, WorkerPool& pool);
 
-    void find(const WholeGrid& surface, const BlowingWind& wind, BentWind& bent);
+    void find(const FixedPointGrid& surface, const BlowingWind& wind, BentWind& bent);
 
   private:
     struct Scale {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/grid.h"
-#include "models/dunes/wind_turns.h"
-#include "models/shared/whole_lengths.h"
+#include "models/dunes/wind_schedule.h"
+#include "models/shared/fixed_point_lengths.h"
 
 namespace fumon {
 
@@ -42,8 +42,8 @@ class WindShadow {
 
     enum class Find { shade, shade_and_envelope };
 
-    void cast(const WholeGrid& surface, const BlowingWind& wind, const ShadowTangents& tangents,
-              Find find);
+    void cast(const FixedPointGrid& surface, const BlowingWind& wind,
+              const ShadowTangents& tangents, Find find);
 
     /// 0 … 1.
     [[nodiscard]] const Grid& shade() const { return shade_; }
@@ -53,7 +53,7 @@ class WindShadow {
 
   private:
     /// The way of the lines over the grid, whose rows across the wind they meet one by one.
-    struct Way {
+    struct RowTraversal {
         bool turned = false;  ///< the grid's columns are the rows across the wind
         int across = 0;       ///< cells across
         int along = 0;        ///< cells along
@@ -64,11 +64,12 @@ class WindShadow {
         double distance = 0.0;  ///< m for each cell along
     };
 
-    [[nodiscard]] Way way_of(const BlowingWind& wind) const;
+    [[nodiscard]] RowTraversal row_traversal_of(const BlowingWind& wind) const;
     /// Rows before the first from which a shadow can reach it.
-    int rows_of_reach(const WholeGrid& surface, const Way& way, const ShadowTangents& tangents);
-    void follow_lines(const WholeGrid& surface, const Way& way, const ShadowTangents& tangents,
-                      Find find, int first, int last);
+    int rows_of_reach(const FixedPointGrid& surface, const RowTraversal& traversal,
+                      const ShadowTangents& tangents);
+    void follow_lines(const FixedPointGrid& surface, const RowTraversal& traversal,
+                      const ShadowTangents& tangents, Find find, int first, int last);
 
     DuneGround ground_;
     WorkerPool& pool_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "base/worker_pool.h"
 
 namespace fumon {
@@ -53,7 +53,7 @@ bool WindwardWalls::place(const Line& line, int x, int y, int n, int& to_x, int&
            find(y + n * line.y, ground_.ny, ground_.periodic_y, to_y);
 }
 
-bool WindwardWalls::height_at(const WholeGrid& surface, const Line& line, int x, int y, int n,
+bool WindwardWalls::height_at(const FixedPointGrid& surface, const Line& line, int x, int y, int n,
                               std::int64_t& height) const {
     int to_x = 0;
     int to_y = 0;
@@ -62,7 +62,7 @@ bool WindwardWalls::height_at(const WholeGrid& surface, const Line& line, int x,
     return true;
 }
 
-void WindwardWalls::find(const WholeGrid& surface, const BlowingWind& wind) {
+void WindwardWalls::find(const FixedPointGrid& surface, const BlowingWind& wind) {
     std::ranges::fill(wind_.values(), 1.0);
     const double cells_x = wind.x / ground_.dx;
     const double cells_y = wind.y / ground_.dy;
@@ -70,20 +70,20 @@ void WindwardWalls::find(const WholeGrid& surface, const BlowingWind& wind) {
     const Line line{cells_x / most, cells_y / most, 1.0 / most};
     pool_.for_ranges(ground_.ny, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
-            give_up_if_asked();
+            throw_if_cancelled();
             find_feet(surface, line, y);
         }
     });
     if (drift_ > 0.0) {
         std::ranges::fill(aside_.values(), 0.0);
-        find_ways_to_ends(wind);
+        find_outflow_directions(wind);
     }
     for (int y = 0; y < ground_.ny; ++y) {
         for (const int x : feet_[static_cast<std::size_t>(y)]) slacken_before(surface, line, x, y);
     }
 }
 
-void WindwardWalls::find_ways_to_ends(const BlowingWind& wind) {
+void WindwardWalls::find_outflow_directions(const BlowingWind& wind) {
     for (int y = 0; y < ground_.ny; ++y) {
         for (const int x : feet_[static_cast<std::size_t>(y)]) waiting_(x, y) = 1;
     }
@@ -140,7 +140,7 @@ void WindwardWalls::follow_wall(int x, int y, const BlowingWind& wind) {
     }
 }
 
-void WindwardWalls::find_feet(const WholeGrid& surface, const Line& line, int y) {
+void WindwardWalls::find_feet(const FixedPointGrid& surface, const Line& line, int y) {
     std::vector<int>& feet = feet_[static_cast<std::size_t>(y)];
     feet.clear();
     const double steep = tangent_ * line.distance * units_per_metre;
@@ -163,7 +163,7 @@ void WindwardWalls::find_feet(const WholeGrid& surface, const Line& line, int y)
     }
 }
 
-void WindwardWalls::slacken_before(const WholeGrid& surface, const Line& line, int x, int y) {
+void WindwardWalls::slacken_before(const FixedPointGrid& surface, const Line& line, int x, int y) {
     const int longest = std::max(ground_.nx, ground_.ny);
     const double rises = top_tangent * line.distance * units_per_metre;
     std::int64_t top = surface(x, y);

@@ -4,8 +4,8 @@
 
 #include "base/grid.h"
 #include "models/dunes/dune_bed.h"
+#include "models/dunes/wind_schedule.h"
 #include "models/dunes/wind_shadow.h"
-#include "models/dunes/wind_turns.h"
 
 namespace fumon {
 
@@ -36,7 +36,7 @@ class WindwardWalls {
     /// `drift`: a.
     WindwardWalls(const DuneGround& ground, double tangent, double drift, WorkerPool& pool);
 
-    void find(const WholeGrid& surface, const BlowingWind& wind);
+    void find(const FixedPointGrid& surface, const BlowingWind& wind);
 
     /// u, −0.5 … 1.
     [[nodiscard]] const Grid& wind() const { return wind_; }
@@ -50,13 +50,13 @@ class WindwardWalls {
         double distance;  ///< m for each cell along
     };
 
-    void find_feet(const WholeGrid& surface, const Line& line, int y);
-    void slacken_before(const WholeGrid& surface, const Line& line, int x, int y);
+    void find_feet(const FixedPointGrid& surface, const Line& line, int y);
+    void slacken_before(const FixedPointGrid& surface, const Line& line, int x, int y);
     /// v / a at the foot of each wall, by cell.
-    void find_ways_to_ends(const BlowingWind& wind);
+    void find_outflow_directions(const BlowingWind& wind);
     void follow_wall(int x, int y, const BlowingWind& wind);
     /// The height n cells along from (x, y), 2⁻³² m; false beyond an open edge.
-    bool height_at(const WholeGrid& surface, const Line& line, int x, int y, int n,
+    bool height_at(const FixedPointGrid& surface, const Line& line, int x, int y, int n,
                    std::int64_t& height) const;
     bool place(const Line& line, int x, int y, int n, int& to_x, int& to_y) const;
 

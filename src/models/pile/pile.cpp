@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/give_up.h"
-#include "base/state_carrier.h"
+#include "base/cancellation.h"
+#include "base/state_archive.h"
 #include "models/pile/toppling.h"
 #include "models/shared/cycle_detector.h"
 
@@ -64,12 +64,12 @@ Pile::Pile(const SandpileParameters& parameters, const Grid& bed, std::span<cons
             const auto b = static_cast<std::size_t>(before);
             const auto r = static_cast<std::size_t>(direction);
             after_[b][r] = direction_after(parameters.direction, before, direction);
-            after_former_[b][r] =
-                direction_after(parameters.direction, before, direction, HalfStep::toward_former);
-            has_half_steps_ |= after_[b][r] != after_former_[b][r];
+            after_previous_[b][r] =
+                direction_after(parameters.direction, before, direction, HalfStep::toward_previous);
+            has_half_steps_ |= after_[b][r] != after_previous_[b][r];
         }
         after_[drop_site][static_cast<std::size_t>(direction)] = drop_site;
-        after_former_[drop_site][static_cast<std::size_t>(direction)] = drop_site;
+        after_previous_[drop_site][static_cast<std::size_t>(direction)] = drop_site;
     }
 }
 
@@ -98,20 +98,20 @@ Grid Pile::changes() const {
     return grid_of([this](std::size_t cell) { return changes_[cell]; });
 }
 
-void Pile::carry(StateCarrier& carrier) {
+void Pile::serialise(StateArchive& archive) {
     std::vector<std::int64_t> cells(cells_.begin(), cells_.end());
     std::vector<std::int64_t> changes(changes_.begin(), changes_.end());
-    carrier.values("pile_cells", cells);
-    carrier.values("pile_changes", changes);
-    carrier.count("lost_grains", lost_);
-    forget_changes();
+    archive.values("pile_cells", cells);
+    archive.values("pile_changes", changes);
+    archive.count("lost_grains", lost_);
+    reset_changes();
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
         constexpr std::int64_t highest = std::int64_t{height_1} << 26;
         const bool edge = cells_[cell] == outside;
         const std::int64_t direction = cells[cell] & direction_bits;
         if (cells[cell] < 0 || cells[cell] > highest || edge != (cells[cell] == outside) ||
             (!edge && direction >= outside) || changes[cell] < 0 || changes[cell] > UINT32_MAX)
-            carrier.refuse("a cell of the pile holds no height and direction");
+            archive.refuse("a cell of the pile holds no height and direction");
         cells_[cell] = static_cast<std::int32_t>(cells[cell]);
         changes_[cell] = static_cast<std::uint32_t>(changes[cell]);
         if (changes_[cell] != 0) changed_.push_back(cell);
@@ -154,7 +154,7 @@ void Pile::note_change(std::size_t cell, std::uint32_t change) {
     changes_[cell] += change;
 }
 
-void Pile::forget_changes() {
+void Pile::reset_changes() {
     for (const std::size_t cell : changed_) changes_[cell] = 0;
     changed_.clear();
 }
@@ -181,9 +181,9 @@ void Pile::topple(std::size_t cell, TopplingDraws& draws, Received received) {
         }
         const auto came = static_cast<std::size_t>(receiver.direction);
         std::int32_t after = after_[before][came];
-        if (has_half_steps_ && after != after_former_[before][came] &&
-            draws.toss() == HalfStep::toward_former) {
-            after = after_former_[before][came];
+        if (has_half_steps_ && after != after_previous_[before][came] &&
+            draws.toss() == HalfStep::toward_previous) {
+            after = after_previous_[before][came];
         }
         cells_[to] += receiver.given - static_cast<std::int32_t>(before) + after;
         note_change(to, 0);
@@ -201,7 +201,7 @@ void Pile::sweep_until_rest(TopplingDraws& draws, Avalanche& avalanche) {
         toppled = false;
         for (std::size_t cell = waiting_.next(0); cell != CellSet::none;
              cell = waiting_.next(cell + 1)) {
-            give_up_if_asked();
+            throw_if_cancelled();
             waiting_.remove(cell);
             if (!unstable_by<toward_direction>(cell)) continue;
             topple(cell, draws, [this](std::size_t to) { waiting_.insert(to); });
@@ -215,11 +215,11 @@ void Pile::sweep_until_rest(TopplingDraws& draws, Avalanche& avalanche) {
             toppled = true;
         }
         if (toppled) ++avalanche.duration;
-        watch.look(avalanche.topplings, draws.drawn(), changed_, cells_, {});
+        watch.observe(avalanche.topplings, draws.drawn(), changed_, cells_, {});
     }
 }
 
-void Pile::empty_queue(TopplingDraws& draws, Avalanche& avalanche) {
+void Pile::drain_queue(TopplingDraws& draws, Avalanche& avalanche) {
     const auto join = [this](std::size_t cell) {
         if (direction_of(cells_[cell]) == outside || waiting_.contains(cell) || !unstable(cell))
             return;
@@ -232,7 +232,7 @@ void Pile::empty_queue(TopplingDraws& draws, Avalanche& avalanche) {
     while (!queue_.empty()) {
         bool toppled = false;
         for (const std::size_t cell : queue_) {
-            give_up_if_asked();
+            throw_if_cancelled();
             waiting_.remove(cell);
             if (!unstable(cell)) continue;
             topple(cell, draws, [](std::size_t) {});
@@ -244,17 +244,17 @@ void Pile::empty_queue(TopplingDraws& draws, Avalanche& avalanche) {
         if (toppled) ++avalanche.duration;
         queue_.clear();
         std::swap(queue_, next_queue_);
-        watch.look(avalanche.topplings, draws.drawn(), changed_, cells_, queue_);
+        watch.observe(avalanche.topplings, draws.drawn(), changed_, cells_, queue_);
     }
 }
 
 /// From the cells in `waiting_`.
 Avalanche Pile::topple_until_rest(TopplingDraws& draws) {
-    forget_changes();
+    reset_changes();
     Avalanche avalanche;
     const std::int64_t lost_before = lost_;
     if (order_ == ToppleOrder::first_in_first_out) {
-        empty_queue(draws, avalanche);
+        drain_queue(draws, avalanche);
     } else if (toward_direction_) {
         sweep_until_rest<true>(draws, avalanche);
     } else {
@@ -267,13 +267,13 @@ Avalanche Pile::topple_until_rest(TopplingDraws& draws) {
 
 std::int64_t Pile::settle(TopplingDraws& draws) {
     for (int y = ny_ - 1; y >= 0; --y) {
-        give_up_if_asked();
+        throw_if_cancelled();
         for (int x = 0; x < nx_; ++x) {
             if (unstable(cell_of({x, y}))) waiting_.insert(cell_of({x, y}));
         }
     }
     const Avalanche settling = topple_until_rest(draws);
-    forget_changes();
+    reset_changes();
     return settling.topplings;
 }
 

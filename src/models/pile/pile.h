@@ -12,7 +12,7 @@
 
 namespace fumon {
 
-class StateCarrier;
+class StateArchive;
 
 /// A cell of the grid: x eastward, y northward, from 0.
 struct Site {
@@ -61,9 +61,9 @@ class Pile {
     /// 1 + n it toppled n times. nx × ny.
     [[nodiscard]] Grid changes() const;
 
-    /// Carries a pile at rest (or as it was given, before it settles): heights, directions and what
-    /// the last avalanche touched.
-    void carry(StateCarrier& carrier);
+    /// Saves or restores a pile at rest (or as it was given, before it settles): heights,
+    /// directions and what the last avalanche touched.
+    void serialise(StateArchive& archive);
 
   private:
     struct Receiver {
@@ -81,11 +81,11 @@ class Pile {
     [[nodiscard]] bool unstable_by(std::size_t cell) const;
     [[nodiscard]] bool any_neighbour_at_most(std::size_t cell, std::int32_t limit) const;
     void note_change(std::size_t cell, std::uint32_t change);
-    void forget_changes();
+    void reset_changes();
     Avalanche topple_until_rest(TopplingDraws& draws);
     template <bool toward_direction>
     void sweep_until_rest(TopplingDraws& draws, Avalanche& avalanche);
-    void empty_queue(TopplingDraws& draws, Avalanche& avalanche);
+    void drain_queue(TopplingDraws& draws, Avalanche& avalanche);
     template <class Received>
     void topple(std::size_t cell, TopplingDraws& draws, Received received);
 
@@ -101,7 +101,7 @@ class Pile {
     std::array<std::array<Receiver, 3>, 9> receivers_{};        ///< by direction 1 … 8
     using Turns = std::array<std::array<std::int32_t, 9>, 10>;  ///< B' by B (0 … 9), B_R (1 … 8)
     Turns after_{};                                             ///< half steps toward B_R …
-    Turns after_former_{};                                      ///< … and toward B
+    Turns after_previous_{};                                    ///< … and toward B
     bool has_half_steps_ = false;
     /// 16 · height + direction, rows from the north with an edge all round. Heights are compared
     /// packed: h ≤ H just when 16·h + direction ≤ 16·H + 15.

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
 #include "base/random.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "models/pile/toppling.h"
 
 namespace fumon {
@@ -95,7 +95,7 @@ void Sandpile::step() {
     if (dropped_ == 0) pile_.settle(draws_);
     avalanches_.clear();
     for (std::int64_t grain = 0; grain < parameters_.grains_per_step; ++grain) {
-        give_up_if_asked();
+        throw_if_cancelled();
         drop_grain();
     }
     ++steps_;
@@ -151,12 +151,12 @@ std::vector<StateField> Sandpile::state() const {
             {"counts", state_counts_}};
 }
 
-void Sandpile::carry(StateCarrier& carrier) {
-    carrier.count("steps", steps_);
-    carrier.count("dropped_grains", dropped_);
-    carrier.count("avalanches", avalanche_count_);
-    draws_.carry(carrier);
-    pile_.carry(carrier);
+void Sandpile::serialise(StateArchive& archive) {
+    archive.count("steps", steps_);
+    archive.count("dropped_grains", dropped_);
+    archive.count("avalanches", avalanche_count_);
+    draws_.serialise(archive);
+    pile_.serialise(archive);
 }
 
 }  // namespace fumon

@@ -70,7 +70,7 @@ class Sandpile : public Model {
     /// dropped, grains lost, avalanches, directions drawn. The spans hold until the next call.
     [[nodiscard]] std::vector<StateField> state() const override;
 
-    void carry(StateCarrier& carrier) override;
+    void serialise(StateArchive& archive) override;
 
   private:
     void drop_grain();

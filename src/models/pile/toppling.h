@@ -40,7 +40,7 @@ int turned(int direction, int eighths);
 ///                    it has no bias of its own. Not the paper's.
 ///
 /// `before` is B, 0 … 8; `incoming` is B_R, 1 … 8: the direction in which the grain came.
-enum class HalfStep { toward_incoming, toward_former };
+enum class HalfStep { toward_incoming, toward_previous };
 int direction_after(DirectionRule rule, int before, int incoming,
                     HalfStep half_step = HalfStep::toward_incoming);
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "base/random.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "models/pile/sandpile_parameters.h"
 #include "models/pile/toppling.h"
 
@@ -35,14 +35,14 @@ class TopplingDraws {
         ++drawn_;
         const bool heads =
             kind_ == DropDirection::cycling ? drawn_ % 2 == 0 : stream_.below(2) == 0;
-        return heads ? HalfStep::toward_incoming : HalfStep::toward_former;
+        return heads ? HalfStep::toward_incoming : HalfStep::toward_previous;
     }
 
     /// How many have been drawn so far.
     [[nodiscard]] std::int64_t drawn() const { return drawn_; }
 
     /// Between two grains.
-    void carry(StateCarrier& carrier) { carrier.count("drawn_directions", drawn_); }
+    void serialise(StateArchive& archive) { archive.count("drawn_directions", drawn_); }
 
   private:
     [[nodiscard]] RandomStream of_grain(std::int64_t grain) const {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <span>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "base/worker_pool.h"
 #include "models/sand/creep_vectors.h"
 
@@ -108,7 +108,7 @@ void MaximaCreep::divide(const Grid& bed, int threads) {
 /// Marks the strict maxima of the bed as it is, and the first and last cell of every row.
 void MaximaCreep::mark(const Grid& bed, int begin, int end, Part& part) {
     for (int y = begin; y < end; ++y) {
-        give_up_if_asked();
+        throw_if_cancelled();
         creep_vectors::mark_maxima(bed.row((y + ny_ - 1) % ny_).data(), bed.row(y).data(),
                                    bed.row((y + 1) % ny_).data(), nx_, part.sides.data(),
                                    part.column.data(), marks(y));
@@ -163,10 +163,10 @@ void MaximaCreep::sweep_again(Grid& bed, Grid& originals, const Part& before, Pa
 
 /// Every marked cell of a row gives if it is a maximum now.
 void MaximaCreep::visit(const Visited& row, Part* part, double rate) {
-    give_up_if_asked();
+    throw_if_cancelled();
     const auto [y, south, here, north] = row;
     const Word* waiting_marks = marks(y);
-    Word* next_marks = marks_to_see((y + 1) % ny_, part);
+    Word* next_marks = marks_for_row((y + 1) % ny_, part);
     for (std::size_t word = 0; word < words_; ++word) {
         Word not_passed = ~Word{0};
         while (const Word waiting = waiting_marks[word] & not_passed) {
@@ -194,7 +194,7 @@ void MaximaCreep::visit(const Visited& row, Part* part, double rate) {
 /// that theirs may have become maxima. Marks behind the sweep do no harm.
 void MaximaCreep::mark_around(int x, int y, int reach, Part* part) {
     for (int dy = -reach; dy <= reach; ++dy) {
-        Word* row = marks_to_see((y + dy + 2 * ny_) % ny_, part);
+        Word* row = marks_for_row((y + dy + 2 * ny_) % ny_, part);
         if (row == nullptr) continue;
         for (int dx = -reach; dx <= reach; ++dx) {
             const auto marked = static_cast<unsigned>((x + dx + 2 * nx_) % nx_);
@@ -205,7 +205,7 @@ void MaximaCreep::mark_around(int x, int y, int reach, Part* part) {
 
 /// Where a part marks a row: none of another part's, which that may be visiting, but its own ones
 /// of those to come after it. Part 0 has the two last rows behind it, which nobody visits yet.
-MaximaCreep::Word* MaximaCreep::marks_to_see(int row, Part* part) {
+MaximaCreep::Word* MaximaCreep::marks_for_row(int row, Part* part) {
     if (part == nullptr || (part->begin <= row && row < part->end)) return marks(row);
     if (row == part->end) return part->marks_ahead.data();
     if (row == part->end + 1) return part->marks_ahead.data() + words_;

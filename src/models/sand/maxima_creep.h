@@ -58,7 +58,7 @@ class MaximaCreep {
     void mark_around(int x, int y, int reach, Part* part);
     void add_marks_ahead(const Part& part);
     Word* marks(int row) { return marks_.data() + static_cast<std::size_t>(row) * words_; }
-    Word* marks_to_see(int row, Part* part);
+    Word* marks_for_row(int row, Part* part);
 
     int nx_ = 0;
     int ny_ = 0;

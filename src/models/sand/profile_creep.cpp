@@ -86,17 +86,17 @@ void sweep_both(Part& one, Part& other, const double* before, const Rates& rates
         sweep.carried = {sweep.carried.here, next};
         ++sweep.x;
     };
-    const auto go_on = [&](Sweep& sweep) { visit_next(sweep, after[sweep.x - 1]); };
+    const auto visit_next_site = [&](Sweep& sweep) { visit_next(sweep, after[sweep.x - 1]); };
     for (Sweep* sweep : {&a, &b}) {
         if (sweep->x < sweep->part.end) visit_next(*sweep, sweep->part.before_begin);
     }
     const int together = std::min(one.end - a.x, other.end - b.x);
     for (int k = 0; k < together; ++k) {
-        go_on(a);
-        go_on(b);
+        visit_next_site(a);
+        visit_next_site(b);
     }
     for (Sweep* sweep : {&a, &b}) {
-        while (sweep->x < sweep->part.end) go_on(*sweep);
+        while (sweep->x < sweep->part.end) visit_next_site(*sweep);
         sweep->part.stop = sweep->carried;
     }
 }

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "base/cancellation.h"
 #include "base/elementary.h"
-#include "base/give_up.h"
 #include "models/sand/hop_terms.h"
 #include "models/sand/hop_vectors.h"
 
@@ -18,7 +18,7 @@ constexpr double longest_hop =
     1073741824.0;  // sites, 2^30: longer hops (and NaN) are cut to fit an index
 
 /// Within [0, longest_hop], NaN included, so that it can become an index.
-inline double usable(double length) {
+inline double clamped_length(double length) {
     const double cut = length < longest_hop ? length : longest_hop;
     return cut > 0.0 ? cut : 0.0;
 }
@@ -61,16 +61,17 @@ double RowHops::length(double height, double slope) const {
     switch (p.hop_length) {
         case HopLength::linear: {
             const double grown = p.hop_per_height * height;
-            return usable(p.hop_base + (p.landing == Landing::truncate_terms
-                                            ? std::trunc(usable(grown))
-                                            : grown));
+            return clamped_length(p.hop_base + (p.landing == Landing::truncate_terms
+                                                    ? std::trunc(clamped_length(grown))
+                                                    : grown));
         }
         case HopLength::slope:
-            return usable(p.hop_base - p.hop_slope_factor * elementary::tanh(slope));
+            return clamped_length(p.hop_base - p.hop_slope_factor * elementary::tanh(slope));
         case HopLength::exponential:
-            return usable(exponential_scale_ * (elementary::exp(exponential_rate_ * height) - 1.0));
+            return clamped_length(exponential_scale_ *
+                                  (elementary::exp(exponential_rate_ * height) - 1.0));
         case HopLength::tabulated:
-            return usable(tabulated(p.hop_table_heights, p.hop_table_lengths, height));
+            return clamped_length(tabulated(p.hop_table_heights, p.hop_table_lengths, height));
     }
     return 0.0;
 }
@@ -78,7 +79,7 @@ double RowHops::length(double height, double slope) const {
 void RowHops::synchronous(std::span<const double> before, std::span<double> after) {
     amount_.resize(before.size());
     to_.resize(before.size());
-    if (needs_slope_) take_slopes(before);
+    if (needs_slope_) compute_slopes(before);
     depart(before, after);
     if (parameters_.landing == Landing::split) {
         land_split(after);
@@ -87,7 +88,7 @@ void RowHops::synchronous(std::span<const double> before, std::span<double> afte
     }
 }
 
-void RowHops::take_slopes(std::span<const double> before) {
+void RowHops::compute_slopes(std::span<const double> before) {
     slope_tanh_.resize(before.size());
     const double* h = before.data();
     double* out = slope_tanh_.data();
@@ -199,7 +200,7 @@ void Picks::draw(std::int64_t count, int nx, std::uint64_t seed, std::uint32_t r
 
 /// Hops worked out by vectors before those that come earlier have been done: right wherever the
 /// height is still what it was then.
-struct RowHops::Foreseen {
+struct RowHops::PrecomputedHops {
     static constexpr std::size_t most = 64;
     template <class Value>
     using Each = std::array<Value, most>;
@@ -213,13 +214,13 @@ struct RowHops::Foreseen {
 };
 
 /// The commonest rule: linear hops that carry q0.
-bool RowHops::is_foreseen() const {
+bool RowHops::can_precompute() const {
     return parameters_.hop_length == HopLength::linear &&
            parameters_.hop_amount == HopAmount::constant && parameters_.shadow == Shadow::none;
 }
 
-void RowHops::foresee(const double* row, std::span<const std::int32_t> cells,
-                      Foreseen& hops) const {
+void RowHops::precompute_hops(const double* row, std::span<const std::int32_t> cells,
+                              PrecomputedHops& hops) const {
     const SandParameters& p = parameters_;
     hops.from = cells;
     for (std::size_t k = 0; k < cells.size(); ++k) hops.height[k] = row[cells[k]];
@@ -244,7 +245,7 @@ void RowHops::foresee(const double* row, std::span<const std::int32_t> cells,
 }
 
 template <bool split>
-void RowHops::do_foreseen(double* row, const Foreseen& hops) const {
+void RowHops::apply_precomputed(double* row, const PrecomputedHops& hops) const {
     for (std::size_t k = 0; k < hops.from.size(); ++k) {
         const int x = hops.from[k];
         if (std::bit_cast<std::uint64_t>(row[x]) != std::bit_cast<std::uint64_t>(hops.height[k]))
@@ -263,39 +264,39 @@ void RowHops::do_foreseen(double* row, const Foreseen& hops) const {
 /// they are on their way from memory when they are needed.
 void RowHops::random_sequential(std::span<double> row, const Picks& picks) const {
     const auto cells = picks.cells();
-    if (!is_foreseen()) {
+    if (!can_precompute()) {
         for (const std::int32_t x : cells) {
-            give_up_if_asked();
+            throw_if_cancelled();
             hop_from(row.data(), x);
         }
         return;
     }
     constexpr int is_long = 1 << 15;  // cells, more than the first-level cache holds
     const bool far = nx_ >= is_long;
-    const std::size_t block = far ? Foreseen::most : Foreseen::most / 2;
+    const std::size_t block = far ? PrecomputedHops::most : PrecomputedHops::most / 2;
     const auto picked = [&](std::size_t begin) {
         begin = std::min(begin, cells.size());
         return cells.subspan(begin, std::min(block, cells.size() - begin));
     };
-    std::array<Foreseen, 2> hops;
-    foresee(row.data(), picked(0), hops[0]);
+    std::array<PrecomputedHops, 2> hops;
+    precompute_hops(row.data(), picked(0), hops[0]);
     for (std::size_t begin = 0; begin < cells.size(); begin += block) {
-        give_up_if_asked();
-        const Foreseen& now = hops[begin / block % 2];
-        Foreseen& next = hops[(begin / block + 1) % 2];
+        throw_if_cancelled();
+        const PrecomputedHops& now = hops[begin / block % 2];
+        PrecomputedHops& next = hops[(begin / block + 1) % 2];
         if (far) {
             for (const std::int32_t x : picked(begin + 2 * block))
                 __builtin_prefetch(row.data() + x, 1);
-            foresee(row.data(), picked(begin + block), next);
+            precompute_hops(row.data(), picked(begin + block), next);
             for (std::size_t k = 0; k < next.from.size(); ++k)
                 __builtin_prefetch(row.data() + next.to[k], 1);
         }
         if (parameters_.landing == Landing::split) {
-            do_foreseen<true>(row.data(), now);
+            apply_precomputed<true>(row.data(), now);
         } else {
-            do_foreseen<false>(row.data(), now);
+            apply_precomputed<false>(row.data(), now);
         }
-        if (!far) foresee(row.data(), picked(begin + block), next);
+        if (!far) precompute_hops(row.data(), picked(begin + block), next);
     }
 }
 

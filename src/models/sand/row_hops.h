@@ -46,16 +46,17 @@ class RowHops {
     [[nodiscard]] double length(double height, double slope) const;
 
   private:
-    struct Foreseen;
+    struct PrecomputedHops;
 
-    void take_slopes(std::span<const double> before);
+    void compute_slopes(std::span<const double> before);
     void depart(std::span<const double> before, std::span<double> after);
     void land(std::span<double> after) const;
     void land_split(std::span<double> after) const;
-    [[nodiscard]] bool is_foreseen() const;
-    void foresee(const double* row, std::span<const std::int32_t> cells, Foreseen& hops) const;
+    [[nodiscard]] bool can_precompute() const;
+    void precompute_hops(const double* row, std::span<const std::int32_t> cells,
+                         PrecomputedHops& hops) const;
     template <bool split>
-    void do_foreseen(double* row, const Foreseen& hops) const;
+    void apply_precomputed(double* row, const PrecomputedHops& hops) const;
     void hop_from(double* row, int x) const;
 
     SandParameters parameters_;

@@ -6,8 +6,8 @@
 #include <array>
 #include <utility>
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
 #include "base/random.h"
 #include "base/worker_pool.h"
 #include "models/sand/creep.h"
@@ -164,14 +164,14 @@ void Sand::hop_rows_and_creep() {
         };
         hop_row(scratch, begin, hopped(begin));
         for (int y = begin; y < end; ++y) {
-            give_up_if_asked();
+            throw_if_cancelled();
             if (y + 1 < end) hop_row(scratch, y + 1, hopped(y + 1));
             creep_row(hopped(y - 1), hopped(y), hopped(y + 1), parameters_.creep_rate, bed_.row(y));
         }
     });
 }
 
-std::string Sand::doubt() const {
+std::string Sand::plausibility_warning() const {
     if (parameters_.hop_length != HopLength::exponential) return {};
     const double highest = *std::max_element(bed_.values().begin(), bed_.values().end());
     const double longest = RowHops(parameters_, bed_.nx()).length(highest, 0.0);
@@ -191,7 +191,7 @@ void Sand::hop_rows() {
     }
     for_rows([&](int begin, int end, Scratch& scratch) {
         for (int y = begin; y < end; ++y) {
-            give_up_if_asked();
+            throw_if_cancelled();
             hop_row(scratch, y, in_place ? bed_.row(y) : next_.row(y));
         }
     });
@@ -234,7 +234,7 @@ void Sand::creep_profiles() {
     } else {
         pool_.for_ranges(bed_.ny(), [&](int begin, int end) {
             for (int y = begin; y < end; ++y) {
-                give_up_if_asked();
+                throw_if_cancelled();
                 profile_creep(bed_.row(y), p.creep_rate, p.flank_rate, next_.row(y));
             }
         });

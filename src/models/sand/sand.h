@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "models/sand/maxima_creep.h"
 #include "models/sand/row_hops.h"
 #include "models/sand/sand_parameters.h"
@@ -41,13 +41,13 @@ class Sand : public Model {
     [[nodiscard]] std::int64_t steps_done() const override { return steps_; }
     [[nodiscard]] Snapshot snapshot() const override;
     /// Where the exponential law's hops from the highest sand have come to go round the box.
-    [[nodiscard]] std::string doubt() const override;
+    [[nodiscard]] std::string plausibility_warning() const override;
     [[nodiscard]] std::vector<StateField> state() const override {
         return {{"bed", bed_.values()}};
     }
-    void carry(StateCarrier& carrier) override {
-        carrier.count("steps", steps_);
-        carrier.values("bed", bed_.values());
+    void serialise(StateArchive& archive) override {
+        archive.count("steps", steps_);
+        archive.values("bed", bed_.values());
     }
 
   private:

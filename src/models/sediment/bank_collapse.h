@@ -24,9 +24,9 @@ class BankCollapse {
     const Grid& rock_;
     WorkerPool& pool_;
     SlopeRelaxation slopes_;
-    WholeGrid before_;
-    WholeGrid surface_;
-    WholeGrid floor_;
+    FixedPointGrid before_;
+    FixedPointGrid surface_;
+    FixedPointGrid floor_;
 };
 
 }  // namespace fumon

@@ -12,7 +12,7 @@ namespace HWY_NAMESPACE {
 
 using namespace vectors::HWY_NAMESPACE;
 
-constexpr double no_speed = 1e-150;
+constexpr double speed_floor = 1e-150;
 constexpr double least_stress = 1e-30;    // θ: below it nothing moves
 constexpr double least_threshold = 1e-3;  // of θ_c down a slope, over θ_c
 constexpr double surely_less = 0.999;     // whatever is rounded
@@ -30,8 +30,8 @@ struct Concentrate {
 };
 
 template <bool averaged>
-struct Carry {
-    CarriedRow r;
+struct AdvectLoad {
+    AdvectedRow r;
     const double* load;
     const double* before;
     double dt_dx;
@@ -84,7 +84,7 @@ struct PickUp {
             const auto rests = hn::Lt(pull * pull * pull, hn::Set(d, surely_less) * deep);
             if (hn::AllTrue(d, rests)) {
                 hn::StoreU(zero, d, out.entrainment + x);
-                hn::StoreU(zero, d, out.pace + x);
+                hn::StoreU(zero, d, out.bed_rate + x);
                 return;
             }
         }
@@ -95,9 +95,9 @@ struct PickUp {
         } else {
             stress = stress * hn::LoadU(d, r.friction + x);
         }
-        V pace = zero;
+        V bed_rate = zero;
         if constexpr (bed_load) {
-            const V per_speed = one / larger(hn::Sqrt(square), hn::Set(d, no_speed));
+            const V per_speed = one / larger(hn::Sqrt(square), hn::Set(d, speed_floor));
             const V ex = u * per_speed;
             const V ey = v * per_speed;
             const V rise_x = (hn::LoadU(d, r.bed + 1 + x) - hn::LoadU(d, r.bed - 1 + x)) *
@@ -124,15 +124,16 @@ struct PickUp {
             hn::StoreU(q * ex, d, out.along_x + x);
             hn::StoreU(q * ey, d, out.along_y + x);
             hn::StoreU(down, d, out.down_slope + x);
-            pace = hn::Set(d, 3.0 * per_length) * (q / deep) + hn::Set(d, 2.0 * per_area) * down;
+            bed_rate =
+                hn::Set(d, 3.0 * per_length) * (q / deep) + hn::Set(d, 2.0 * per_area) * down;
         }
         if constexpr (entrains) {
             const V excess = larger(stress * hn::Set(d, law.per_entrainment_stress) - one, zero);
             const V taken = hn::Set(d, law.entrainment) * excess;
             hn::StoreU(taken, d, out.entrainment + x);
-            pace = pace + taken / (deep + hn::Set(d, 0.1 / per_length));
+            bed_rate = bed_rate + taken / (deep + hn::Set(d, 0.1 / per_length));
         }
-        hn::StoreU(pace, d, out.pace + x);
+        hn::StoreU(bed_rate, d, out.bed_rate + x);
     }
 };
 
@@ -150,11 +151,11 @@ struct HoldAbove {
     }
 };
 
-struct Pace {
-    const double* pace;
+struct BedRate {
+    const double* bed_rate;
     template <class D>
     HWY_INLINE auto operator()(D d, std::size_t x) const {
-        return hn::LoadU(d, pace + x);
+        return hn::LoadU(d, bed_rate + x);
     }
 };
 
@@ -208,15 +209,15 @@ struct Settle {
 };
 
 void concentrate_row(const double* load, const double* depth, int count, double* concentration) {
-    for_each_vector_anew(count, Concentrate{load, depth, concentration});
+    for_each_vector_overlapping(count, Concentrate{load, depth, concentration});
 }
 
-void carry_row(const CarriedRow& row, const double* load, const double* before, double dt_dx,
-               double dt_dy, int count, double* carried) {
+void advect_load_row(const AdvectedRow& row, const double* load, const double* before, double dt_dx,
+                     double dt_dy, int count, double* carried) {
     if (before != nullptr) {
-        for_each_vector(count, Carry<true>{row, load, before, dt_dx, dt_dy, carried});
+        for_each_vector(count, AdvectLoad<true>{row, load, before, dt_dx, dt_dy, carried});
     } else {
-        for_each_vector(count, Carry<false>{row, load, before, dt_dx, dt_dy, carried});
+        for_each_vector(count, AdvectLoad<false>{row, load, before, dt_dx, dt_dy, carried});
     }
 }
 
@@ -224,14 +225,14 @@ template <bool manning>
 void pick_up(const PickUpLaw& law, const PickUpRow& row, double per_length, double per_area,
              int count, const PickedUp& out) {
     if (law.unit > 0.0 && law.entrainment > 0.0) {
-        for_each_vector_anew(count,
-                             PickUp<manning, true, true>{law, row, per_length, per_area, out});
+        for_each_vector_overlapping(
+            count, PickUp<manning, true, true>{law, row, per_length, per_area, out});
     } else if (law.unit > 0.0) {
-        for_each_vector_anew(count,
-                             PickUp<manning, true, false>{law, row, per_length, per_area, out});
+        for_each_vector_overlapping(
+            count, PickUp<manning, true, false>{law, row, per_length, per_area, out});
     } else {
-        for_each_vector_anew(count,
-                             PickUp<manning, false, true>{law, row, per_length, per_area, out});
+        for_each_vector_overlapping(
+            count, PickUp<manning, false, true>{law, row, per_length, per_area, out});
     }
 }
 
@@ -249,12 +250,12 @@ void hold_above_row(const double* floor, const double* bed, double per_height, i
     for_each_vector(count, HoldAbove{floor, bed, per_height, entrainment});
 }
 
-double largest_pace(const double* pace, int count) {
-    return largest_of_row(count, Pace{pace});
+double largest_bed_rate(const double* bed_rate, int count) {
+    return largest_of_row(count, BedRate{bed_rate});
 }
 
 void face_row(const FaceRow& row, double per_length, double mean_slope, int count, double* flux) {
-    for_each_vector_anew(count, Face{row, per_length, mean_slope, flux});
+    for_each_vector_overlapping(count, Face{row, per_length, mean_slope, flux});
 }
 
 void settle_row(const SettledRow& row, const SettlingFactors& factors, int count, double* load,
@@ -280,10 +281,10 @@ HWY_AFTER_NAMESPACE();
 namespace fumon::loads {
 
 HWY_EXPORT(concentrate_row);
-HWY_EXPORT(carry_row);
+HWY_EXPORT(advect_load_row);
 HWY_EXPORT(pick_up_row);
 HWY_EXPORT(hold_above_row);
-HWY_EXPORT(largest_pace);
+HWY_EXPORT(largest_bed_rate);
 HWY_EXPORT(face_row);
 HWY_EXPORT(settle_row);
 
@@ -291,9 +292,9 @@ void concentrate_row(const double* load, const double* depth, int count, double*
     HWY_DYNAMIC_DISPATCH(concentrate_row)(load, depth, count, concentration);
 }
 
-void carry_row(const CarriedRow& row, const double* load, const double* before, double dt_dx,
-               double dt_dy, int count, double* carried) {
-    HWY_DYNAMIC_DISPATCH(carry_row)(row, load, before, dt_dx, dt_dy, count, carried);
+void advect_load_row(const AdvectedRow& row, const double* load, const double* before, double dt_dx,
+                     double dt_dy, int count, double* carried) {
+    HWY_DYNAMIC_DISPATCH(advect_load_row)(row, load, before, dt_dx, dt_dy, count, carried);
 }
 
 void pick_up_row(const PickUpLaw& law, const PickUpRow& row, double per_length, double per_area,
@@ -306,8 +307,8 @@ void hold_above_row(const double* floor, const double* bed, double per_height, i
     HWY_DYNAMIC_DISPATCH(hold_above_row)(floor, bed, per_height, count, entrainment);
 }
 
-double largest_pace(const double* pace, int count) {
-    return HWY_DYNAMIC_DISPATCH(largest_pace)(pace, count);
+double largest_bed_rate(const double* bed_rate, int count) {
+    return HWY_DYNAMIC_DISPATCH(largest_bed_rate)(bed_rate, count);
 }
 
 void face_row(const FaceRow& row, double per_length, double mean_slope, int count, double* flux) {

@@ -14,7 +14,7 @@ void concentrate_row(const double* load, const double* depth, int count, double*
 
 /// A stage of water's load in a row: concentrations of the cells and their neighbours (west and
 /// east beside `here`), and the water through their faces, m²/s.
-struct CarriedRow {
+struct AdvectedRow {
     const double* here;
     const double* south;
     const double* north;
@@ -25,8 +25,8 @@ struct CarriedRow {
 };
 
 /// load − dt ∇·(flow · C of the cell upstream), averaged with `before` where that is not null.
-void carry_row(const CarriedRow& row, const double* load, const double* before, double dt_dx,
-               double dt_dy, int count, double* carried);
+void advect_load_row(const AdvectedRow& row, const double* load, const double* before, double dt_dx,
+                     double dt_dy, int count, double* carried);
 
 /// How flow over the bed moves it.
 struct PickUpLaw {
@@ -61,8 +61,8 @@ struct PickedUp {
     double* along_y;
     double* down_slope;   ///< bed load per slope, m²/s
     double* entrainment;  ///< m/s
-    double* pace;  ///< of the bed: (3 |q_b| / h) · per_length + 2 · down_slope · per_area +
-                   ///< E / (h + 0.1 / per_length), 1/s
+    double* bed_rate;  ///< of the bed: (3 |q_b| / h) · per_length + 2 · down_slope · per_area +
+                       ///< E / (h + 0.1 / per_length), 1/s
 };
 
 /// `per_length` = 1/dx + 1/dy and `per_area` = 1/dx² + 1/dy². Writes along_x … down_slope where the
@@ -75,7 +75,7 @@ void hold_above_row(const double* floor, const double* bed, double per_height, i
                     double* entrainment);
 
 /// The largest of a row, 0 at least.
-double largest_pace(const double* pace, int count);
+double largest_bed_rate(const double* bed_rate, int count);
 
 /// Bed load through the faces between cells `low` and `high` along one axis: what goes with the
 /// flow comes from the cell upstream; what turns down the slope is the mean of both.

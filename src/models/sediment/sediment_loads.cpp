@@ -4,8 +4,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "base/cancellation.h"
 #include "base/elementary.h"
-#include "base/give_up.h"
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "models/sediment/water_density.h"
@@ -67,7 +67,7 @@ SedimentLoads::SedimentLoads(const LoadParameters& parameters, LoadGround ground
       suspends_(law_.entrainment > 0.0 || inflow_ > 0.0),
       floor_(floor_of(parameters, ground_)),
       friction_row_(static_cast<std::size_t>(ground_.nx), ground_.friction),
-      row_paces_(static_cast<std::size_t>(ground_.ny)) {
+      row_bed_rates_(static_cast<std::size_t>(ground_.ny)) {
     const int nx = ground_.nx;
     const int ny = ground_.ny;
     if (parameters.bank_failure == BankFailure::avalanche) {
@@ -111,7 +111,7 @@ void SedimentLoads::over_rows(const Body& body) {
     pool_.for_ranges(ground_.ny, [&](int begin, int end) {
         Scratch scratch;
         for (int y = begin; y < end; ++y) {
-            give_up_if_asked();
+            throw_if_cancelled();
             if constexpr (std::is_invocable_v<Body, int, Scratch&>) {
                 body(y, scratch);
             } else {
@@ -123,11 +123,11 @@ void SedimentLoads::over_rows(const Body& body) {
 
 /// Fills what lies beyond the edges: the other side, `beyond`, or what the line through the last
 /// two cells has there.
-void SedimentLoads::continue_past_edges(PaddedGrid& field, bool on_the_line, double beyond) const {
+void SedimentLoads::fill_ghost_cells(PaddedGrid& field, bool extrapolated, double beyond) const {
     const int nx = ground_.nx;
     const int ny = ground_.ny;
     const auto past = [&](double edge, double inner) {
-        return on_the_line ? edge + (edge - inner) : beyond;
+        return extrapolated ? edge + (edge - inner) : beyond;
     };
     double* below = row(field, -1);
     double* above = row(field, ny);
@@ -149,37 +149,37 @@ void SedimentLoads::begin(const Grid& depth) {
         loads::concentrate_row(load_.row(y).data(), depth.row(y).data(), ground_.nx,
                                row(before_, y));
     });
-    continue_past_edges(before_, false, inflow_);
+    fill_ghost_cells(before_, false, inflow_);
 }
 
 /// Of a row, in a stage whose concentrations are known in it and in those beside it.
-void SedimentLoads::carry_row(int stage, const FaceFlows& flows, double dt, int y) {
+void SedimentLoads::advect_load_row(int stage, const FaceFlows& flows, double dt, int y) {
     PaddedGrid& concentration = stage == 0 ? before_ : middle_;
     const FaceFlows::Stage& flow = flows.stages[static_cast<std::size_t>(stage)];
     const double* east = flow.east.row(y).data();
-    const loads::CarriedRow carried{row(concentration, y),
-                                    row(concentration, y - 1),
-                                    row(concentration, y + 1),
-                                    east,
-                                    east + 1,
-                                    flow.north.row(y).data(),
-                                    flow.north.row(y + 1).data()};
+    const loads::AdvectedRow carried{row(concentration, y),
+                                     row(concentration, y - 1),
+                                     row(concentration, y + 1),
+                                     east,
+                                     east + 1,
+                                     flow.north.row(y).data(),
+                                     flow.north.row(y + 1).data()};
     const double* from = stage == 0 ? load_.row(y).data() : between_.row(y).data();
     const double* before = stage == 0 ? nullptr : load_.row(y).data();
     double* to = stage == 0 ? between_.row(y).data() : load_.row(y).data();
-    loads::carry_row(carried, from, before, dt / ground_.dx, dt / ground_.dy, ground_.nx, to);
+    loads::advect_load_row(carried, from, before, dt / ground_.dx, dt / ground_.dy, ground_.nx, to);
     for (int x = 0; x < ground_.nx && !ground_.nodata.empty(); ++x) {
         if (ground_.outside(x, y)) to[x] = 0.0;
     }
 }
 
-void SedimentLoads::carry_first(const FaceFlows& flows, double dt) {
+void SedimentLoads::advect_first_stage(const FaceFlows& flows, double dt) {
     over_rows([&](int y) {
-        carry_row(0, flows, dt, y);
+        advect_load_row(0, flows, dt, y);
         loads::concentrate_row(between_.row(y).data(), flows.between->row(y).data(), ground_.nx,
                                row(middle_, y));
     });
-    continue_past_edges(middle_, false, inflow_);
+    fill_ghost_cells(middle_, false, inflow_);
 }
 
 /// Cells without data take the mean of the cells beside them that have some.
@@ -204,7 +204,7 @@ void SedimentLoads::copy_bed(const Grid& bed) {
             row(bed_, y)[x] = count > 0 ? sum / count : 0.0;
         }
     }
-    continue_past_edges(bed_, true, 0.0);
+    fill_ghost_cells(bed_, true, 0.0);
 }
 
 /// Of the cells of a row.
@@ -222,7 +222,7 @@ double* SedimentLoads::entrainment_of(int y, Scratch& scratch) {
 void SedimentLoads::pick_up_row(const LoadWater& water, int y, Scratch& scratch) {
     const double per_x = 1.0 / ground_.dx;
     const double per_y = 1.0 / ground_.dy;
-    scratch.paces.resize(static_cast<std::size_t>(ground_.nx));
+    scratch.bed_rates.resize(static_cast<std::size_t>(ground_.nx));
     const bool has_bed_load = law_.unit > 0.0;
     const loads::PickUpRow from{water.depth.row(y).data(),
                                 water.u.row(y).data(),
@@ -234,9 +234,10 @@ void SedimentLoads::pick_up_row(const LoadWater& water, int y, Scratch& scratch)
     const loads::PickedUp to{has_bed_load ? row(along_x_, y) : nullptr,
                              has_bed_load ? row(along_y_, y) : nullptr,
                              has_bed_load ? row(down_slope_, y) : nullptr,
-                             entrainment_of(y, scratch), scratch.paces.data()};
+                             entrainment_of(y, scratch), scratch.bed_rates.data()};
     loads::pick_up_row(law_, from, per_x + per_y, per_x * per_x + per_y * per_y, ground_.nx, to);
-    row_paces_[static_cast<std::size_t>(y)] = loads::largest_pace(scratch.paces.data(), ground_.nx);
+    row_bed_rates_[static_cast<std::size_t>(y)] =
+        loads::largest_bed_rate(scratch.bed_rates.data(), ground_.nx);
 }
 
 void SedimentLoads::find_faces(const FaceFlows& flows) {
@@ -366,33 +367,33 @@ void SedimentLoads::settle_row(Grid& bed, const LoadWater& water, double dt, int
 void SedimentLoads::advance(Grid& bed, const LoadWater& water, const FaceFlows& flows, double dt) {
     const bool has_bed_load = law_.unit > 0.0;
     const bool picks_up = has_bed_load || law_.entrainment > 0.0;
-    const auto carry = [&](int y) {
-        if (suspends_) carry_row(1, flows, dt, y);
+    const auto advect = [&](int y) {
+        if (suspends_) advect_load_row(1, flows, dt, y);
     };
     const auto pick_up = [&](int y, Scratch& scratch) {
         if (picks_up) pick_up_row(water, y, scratch);
     };
     const auto settle = [&](int y, Scratch& scratch) { settle_row(bed, water, dt, y, scratch); };
-    if (suspends_) carry_first(flows, dt);
+    if (suspends_) advect_first_stage(flows, dt);
     if (has_bed_load) {
         copy_bed(bed);
         over_rows([&](int y, Scratch& scratch) {
-            carry(y);
+            advect(y);
             pick_up(y, scratch);
         });
         for (PaddedGrid* field : {&along_x_, &along_y_, &down_slope_})
-            continue_past_edges(*field, false, 0.0);
+            fill_ghost_cells(*field, false, 0.0);
         find_faces(flows);
         if (!floor_.empty()) hold_above_base(bed, dt);
         over_rows(settle);
     } else {
         over_rows([&](int y, Scratch& scratch) {
-            carry(y);
+            advect(y);
             pick_up(y, scratch);
             settle(y, scratch);
         });
     }
-    if (picks_up) pace_ = bed_factor_ * *std::ranges::max_element(row_paces_);
+    if (picks_up) bed_rate_ = bed_factor_ * *std::ranges::max_element(row_bed_rates_);
     if (!outer_faces_.empty()) count_outer_faces(flows, dt);
 }
 
@@ -414,15 +415,15 @@ Grid SedimentLoads::concentration(const Grid& depth) const {
 std::vector<StateField> SedimentLoads::state() const {
     std::vector<StateField> fields;
     if (suspends_) fields.push_back({"suspended_load", load_.values()});
-    fields.push_back({"bed_pace", std::span(&pace_, 1)});
+    fields.push_back({"bed_pace", std::span(&bed_rate_, 1)});
     return fields;
 }
 
-void SedimentLoads::carry(StateCarrier& carrier) {
-    if (suspends_) carrier.values("suspended_load", load_.values());
-    carrier.value("bed_pace", pace_);
-    left_.carry("sediment_left", carrier);
-    entered_.carry("sediment_entered", carrier);
+void SedimentLoads::serialise(StateArchive& archive) {
+    if (suspends_) archive.values("suspended_load", load_.values());
+    archive.value("bed_pace", bed_rate_);
+    left_.serialise("sediment_left", archive);
+    entered_.serialise("sediment_entered", archive);
 }
 
 }  // namespace fumon

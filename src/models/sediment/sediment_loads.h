@@ -6,7 +6,7 @@
 
 #include "base/compensated_sum.h"
 #include "base/grid.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "models/sediment/bank_collapse.h"
 #include "models/sediment/face_flows.h"
 #include "models/sediment/load_ground.h"
@@ -44,7 +44,7 @@ struct LoadWater {
 /// those around it. Settling is implicit; what is in water thinner than a thousandth of a
 /// millimetre lies down, and so do loads below loads::least_load. Bed load through a face comes
 /// from the cell upstream; down the slope it is the mean of both. Explicit: sub-steps have to be
-/// shorter than half of 1 / pace().
+/// shorter than half of 1 / bed_rate().
 ///
 /// Beyond edges: water brings grains at the inflow's concentration, and as much bed load as the
 /// cell at the edge carries, so that the bed there stays; what goes out with water is gone.
@@ -68,7 +68,7 @@ class SedimentLoads {
 
     /// How fast the bed changes against the water over it, 1/s, of the flow that the last advance
     /// saw.
-    [[nodiscard]] double pace() const { return pace_; }
+    [[nodiscard]] double bed_rate() const { return bed_rate_; }
 
     /// Heights of bed that a height of grains makes in a run's time: f / (1 − φ).
     [[nodiscard]] double bed_factor() const { return bed_factor_; }
@@ -80,7 +80,7 @@ class SedimentLoads {
     [[nodiscard]] Grid concentration(const Grid& depth) const;
 
     [[nodiscard]] std::vector<StateField> state() const;
-    void carry(StateCarrier& carrier);
+    void serialise(StateArchive& archive);
 
   private:
     /// A face between a cell of the domain and what is outside.
@@ -96,7 +96,7 @@ class SedimentLoads {
     /// What a thread holds while it works on rows.
     struct Scratch {
         std::vector<double> entrainment;  ///< of a row, where no others need it
-        std::vector<double> paces;
+        std::vector<double> bed_rates;
         std::vector<double> nothing;  ///< for a load, where nothing is suspended
         std::vector<double> kept;     ///< the bed of a row with cells without data
     };
@@ -104,10 +104,10 @@ class SedimentLoads {
     void find_outer_faces();
     template <class Body>
     void over_rows(const Body& body);
-    void continue_past_edges(PaddedGrid& field, bool on_the_line, double beyond) const;
+    void fill_ghost_cells(PaddedGrid& field, bool extrapolated, double beyond) const;
     void copy_bed(const Grid& bed);
-    void carry_row(int stage, const FaceFlows& flows, double dt, int y);
-    void carry_first(const FaceFlows& flows, double dt);
+    void advect_load_row(int stage, const FaceFlows& flows, double dt, int y);
+    void advect_first_stage(const FaceFlows& flows, double dt);
     [[nodiscard]] const double* friction_of(int y) const;
     [[nodiscard]] double* entrainment_of(int y, Scratch& scratch);
     void pick_up_row(const LoadWater& water, int y, Scratch& scratch);
@@ -144,8 +144,8 @@ class SedimentLoads {
     Grid north_;
     Grid shares_;                       ///< of its bed load that a cell gives, for the base level
     std::vector<double> friction_row_;  // where it is even
-    std::vector<double> row_paces_;
-    double pace_ = 0.0;
+    std::vector<double> row_bed_rates_;
+    double bed_rate_ = 0.0;
     CompensatedSum left_;
     CompensatedSum entered_;
 };

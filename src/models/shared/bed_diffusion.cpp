@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "base/worker_pool.h"
 
 namespace fumon {
@@ -140,7 +140,7 @@ void BedDiffusion::second_half(Grid& bed) {
         std::vector<double> scratch(static_cast<std::size_t>(width) *
                                     (static_cast<std::size_t>(ny_) + 1));
         for (int x = begin; x < end; x += width) {
-            give_up_if_asked();
+            throw_if_cancelled();
             const int count = std::min(width, end - x);
             if (along_y_.nothing_to_do()) {
                 for (int y = 0; y < ny_; ++y) {

@@ -107,11 +107,11 @@ struct ClosingFactor {
 
 void explicit_y(const double* south, const double* here, const double* north, const double* change,
                 double r, int count, double* out) {
-    for_each_vector_anew(count, ExplicitY{south, here, north, change, r, out});
+    for_each_vector_overlapping(count, ExplicitY{south, here, north, change, r, out});
 }
 
 void explicit_x(const double* from, double r_x, int count, double* to) {
-    for_each_vector_anew(count, ExplicitX{from, r_x, to});
+    for_each_vector_overlapping(count, ExplicitX{from, r_x, to});
 }
 
 void add_multiple(const double* values, double factor, int count, double* to) {
@@ -124,15 +124,15 @@ void cross_rows(const Rows& from, double r_x, const Lines& lines, int width, dou
     const auto source = [&](int y) { return from.first + y * from.stride; };
     const auto row = [&](int y) { return scratch + static_cast<std::ptrdiff_t>(y) * width; };
     const auto target = [&](int y) { return to + y * to_stride; };
-    for_each_vector_anew(width, FirstRow{source(0), r_x, lines.inverse[0], row(0)});
+    for_each_vector_overlapping(width, FirstRow{source(0), r_x, lines.inverse[0], row(0)});
     for (int y = 1; y <= last; ++y) {
-        for_each_vector_anew(
+        for_each_vector_overlapping(
             width, Eliminate{source(y), r_x, row(y - 1), lines.r, lines.inverse[y], row(y)});
     }
     if (lines.closing == nullptr) {
         std::copy_n(row(last), width, target(last));
         for (int y = last - 1; y >= 0; --y) {
-            for_each_vector_anew(
+            for_each_vector_overlapping(
                 width, AddMultiple{row(y), lines.r * lines.inverse[y], target(y + 1), target(y)});
         }
         return;
@@ -141,10 +141,11 @@ void cross_rows(const Rows& from, double r_x, const Lines& lines, int width, dou
         for_each_vector(width, AddMultiple{row(y), lines.r * lines.inverse[y], row(y + 1), row(y)});
     }
     double* factors = row(lines.count);
-    for_each_vector_anew(
+    for_each_vector_overlapping(
         width, ClosingFactor{row(0), row(last), lines.closing_weight, lines.closing_end, factors});
     for (int y = 0; y <= last; ++y)
-        for_each_vector_anew(width, AddMultiple{row(y), -lines.closing[y], factors, target(y)});
+        for_each_vector_overlapping(width,
+                                    AddMultiple{row(y), -lines.closing[y], factors, target(y)});
 }
 
 }  // namespace HWY_NAMESPACE

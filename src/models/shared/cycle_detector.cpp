@@ -20,21 +20,21 @@ void CycleDetector::compare(std::int64_t topplings, std::int64_t draws,
                             std::span<const std::size_t> changed,
                             std::span<const std::int32_t> cells,
                             std::span<const std::size_t> queue) {
-    topplings_at_last_look_ = topplings;
+    topplings_at_last_check_ = topplings;
     std::uint64_t digest = changed.size();
     for (const std::size_t cell : changed)
         digest = mix(digest, static_cast<std::uint64_t>(cells[cell]));
     for (const std::size_t cell : queue) digest = mix(digest, cell);
-    if (digest == kept_digest_ && draws == kept_draws_) {
+    if (digest == reference_digest_ && draws == reference_draws_) {
         throw Error(
             "the pile never comes to rest: grains go round in a circle, since this rule moves them "
             "uphill too; take model.direction = \"circular-mean\", model.topple_toward = "
             "\"toward-direction\", more grains per topple or a smoother bed");
     }
-    if (++looks_ == next_kept_) {
-        next_kept_ *= 2;
-        kept_digest_ = digest;
-        kept_draws_ = draws;
+    if (++checks_ == next_reference_) {
+        next_reference_ *= 2;
+        reference_digest_ = digest;
+        reference_draws_ = draws;
     }
 }
 

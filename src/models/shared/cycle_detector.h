@@ -17,10 +17,10 @@ class CycleDetector {
     /// States are compared by a 64-bit digest with the one at the last power of two (Brent 1980),
     /// not before many topplings a cell, and so seldom that the cost is below one cell a topple.
     /// Throws Error where the state is one that has been.
-    void look(std::int64_t topplings, std::int64_t draws, std::span<const std::size_t> changed,
-              std::span<const std::int32_t> cells, std::span<const std::size_t> queue) {
+    void observe(std::int64_t topplings, std::int64_t draws, std::span<const std::size_t> changed,
+                 std::span<const std::int32_t> cells, std::span<const std::size_t> queue) {
         const auto size = static_cast<std::int64_t>(changed.size());
-        if (topplings - topplings_at_last_look_ > topplings_per_cell * size)
+        if (topplings - topplings_at_last_check_ > topplings_per_cell * size)
             compare(topplings, draws, changed, cells, queue);
     }
 
@@ -30,11 +30,11 @@ class CycleDetector {
     void compare(std::int64_t topplings, std::int64_t draws, std::span<const std::size_t> changed,
                  std::span<const std::int32_t> cells, std::span<const std::size_t> queue);
 
-    std::int64_t topplings_at_last_look_ = 0;
-    std::int64_t looks_ = 0;
-    std::int64_t next_kept_ = 1;
-    std::uint64_t kept_digest_ = 0;
-    std::int64_t kept_draws_ = -1;
+    std::int64_t topplings_at_last_check_ = 0;
+    std::int64_t checks_ = 0;
+    std::int64_t next_reference_ = 1;
+    std::uint64_t reference_digest_ = 0;
+    std::int64_t reference_draws_ = -1;
 };
 
 }  // namespace fumon

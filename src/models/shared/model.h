@@ -13,7 +13,7 @@
 
 namespace fumon {
 
-class StateCarrier;
+class StateArchive;
 class WorkerPool;
 
 /// One state field, in the order in which the state hash takes them.
@@ -69,8 +69,8 @@ class Model {
     [[nodiscard]] virtual Snapshot snapshot() const = 0;
 
     /// One line on what in the present state nature would not do, and what to set instead; empty
-    /// where there is nothing to doubt.
-    [[nodiscard]] virtual std::string doubt() const { return {}; }
+    /// where all is plausible.
+    [[nodiscard]] virtual std::string plausibility_warning() const { return {}; }
 
     /// Every field that the next step depends on, in declared order.
     [[nodiscard]] virtual std::vector<StateField> state() const = 0;
@@ -78,8 +78,8 @@ class Model {
     /// Saves or restores, between two steps, everything besides scene and bed on which the next
     /// steps, snapshots and times depend, including counters and sums. A model newly built from the
     /// same setup that restores this state continues with the same bytes as the one that saved it.
-    /// Throws as StateCarrier does; the model must not be used after that.
-    virtual void carry(StateCarrier& carrier) = 0;
+    /// Throws as StateArchive does; the model must not be used after that.
+    virtual void serialise(StateArchive& archive) = 0;
 };
 
 }  // namespace fumon

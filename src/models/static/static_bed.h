@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "models/shared/model.h"
 
 namespace fumon {
@@ -31,7 +31,7 @@ class StaticBed : public Model {
     [[nodiscard]] std::vector<StateField> state() const override {
         return {{"bed", bed_.values()}};
     }
-    void carry(StateCarrier& carrier) override { carrier.count("steps", steps_); }
+    void serialise(StateArchive& archive) override { archive.count("steps", steps_); }
 
   private:
     Grid bed_;

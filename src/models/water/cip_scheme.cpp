@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "base/give_up.h"
-#include "base/state_carrier.h"
+#include "base/cancellation.h"
+#include "base/state_archive.h"
 #include "base/worker_pool.h"
 #include "models/water/kernels/cip_advection_vectors.h"
 #include "models/water/kernels/depth_vectors.h"
@@ -112,12 +112,12 @@ void CipScheme::advance_block(const cip::SubStep& step, const Water& water, cons
                               double rain, const Block& block, cip::Strip& strip) {
     for (int top = block.first_y - cip::Strip::margin; top < block.last_y + cip::Strip::margin;
          ++top) {
-        give_up_if_asked();
+        throw_if_cancelled();
         load_row(water, bed, block, top, strip);
         if (top < block.first_y) continue;
         accelerate(step, block, top - 1, strip);
         const int y = top - 2;
-        if (!as_published_ && y >= block.first_y - 1) carry_depth(step, rain, block, y, strip);
+        if (!as_published_ && y >= block.first_y - 1) transport_depth(step, rain, block, y, strip);
         if (y >= block.first_y) turn_gradients(step, block, y, strip);
     }
 }
@@ -150,9 +150,9 @@ void CipScheme::accelerate(const cip::SubStep& step, const Block& block, int y, 
     const auto row = [&](cip::Strip::Field field) { return strip.row(field, y) - 1; };
     const int row_of_grid = wrapped(y);
     const auto carried = [&](cip::Strip::Field value, const Gradient& gradient) {
-        return cip::CarriedStencil{stencil(value),
-                                   from(around(gradient.x, row_of_grid, block.first_x)),
-                                   from(around(gradient.y, row_of_grid, block.first_x))};
+        return cip::AdvectedStencil{stencil(value),
+                                    from(around(gradient.x, row_of_grid, block.first_x)),
+                                    from(around(gradient.y, row_of_grid, block.first_x))};
     };
     cip::advect_velocities(
         carried(cip::Strip::u, of_u_), carried(cip::Strip::v, of_v_), step, steep_, count,
@@ -205,8 +205,8 @@ void CipScheme::turn_gradients(const cip::SubStep& step, const Block& block, int
 }
 
 /// What passes the faces north of row y, and within the block the row's depth.
-void CipScheme::carry_depth(const cip::SubStep& step, double rain, const Block& block, int y,
-                            cip::Strip& strip) {
+void CipScheme::transport_depth(const cip::SubStep& step, double rain, const Block& block, int y,
+                                cip::Strip& strip) {
     const auto depth = [&](int row) { return strip.row(cip::Strip::depth, row); };
     double* north = strip.row(cip::Strip::faces_north, y);
     cip::through_faces({depth(y - 1), depth(y), depth(y + 1), depth(y + 2),
@@ -315,7 +315,7 @@ void CipScheme::thin_as_published(const cip::SubStep& step, const Water& before,
             PaddedGrid u_row(nx_, 1);
             PaddedGrid v_row(nx_, 1);
             for (int y = begin; y < end; ++y) {
-                give_up_if_asked();
+                throw_if_cancelled();
                 body(y, padded(flow.velocity_x, y, u_row), padded(flow.velocity_y, y, v_row));
             }
         });
@@ -353,14 +353,14 @@ std::vector<StateField> CipScheme::state() const {
     return fields;
 }
 
-void CipScheme::carry(StateCarrier& carrier) {
-    const auto carry_one = [&carrier](const std::string& name, Gradient& gradient) {
-        carrier.values(name + "_gradient_x", gradient.x.all_values());
-        carrier.values(name + "_gradient_y", gradient.y.all_values());
+void CipScheme::serialise(StateArchive& archive) {
+    const auto serialise_gradient = [&archive](const std::string& name, Gradient& gradient) {
+        archive.values(name + "_gradient_x", gradient.x.all_values());
+        archive.values(name + "_gradient_y", gradient.y.all_values());
     };
-    carry_one("carried_velocity_x", of_u_);
-    carry_one("carried_velocity_y", of_v_);
-    if (as_published_) carry_one("carried_depth", of_depth_);
+    serialise_gradient("carried_velocity_x", of_u_);
+    serialise_gradient("carried_velocity_y", of_v_);
+    if (as_published_) serialise_gradient("carried_depth", of_depth_);
 }
 
 }  // namespace fumon

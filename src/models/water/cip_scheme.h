@@ -33,7 +33,7 @@ class CipScheme : public ShallowWaterScheme {
     /// As published, where no water passes faces: h u of the cells beside them, in the mean.
     void watch(WatchedFaces& faces) override { watched_ = &faces; }
     [[nodiscard]] std::vector<StateField> state() const override;
-    void carry(StateCarrier& carrier) override;
+    void serialise(StateArchive& archive) override;
 
   private:
     /// Of a carried quantity per cell, before and after a sub-step.
@@ -59,8 +59,8 @@ class CipScheme : public ShallowWaterScheme {
                   cip::Strip& strip) const;
     void accelerate(const cip::SubStep& step, const Block& block, int y, cip::Strip& strip);
     void turn_gradients(const cip::SubStep& step, const Block& block, int y, cip::Strip& strip);
-    void carry_depth(const cip::SubStep& step, double rain, const Block& block, int y,
-                     cip::Strip& strip);
+    void transport_depth(const cip::SubStep& step, double rain, const Block& block, int y,
+                         cip::Strip& strip);
     void advect_depth(const cip::SubStep& step, const Block& block, int y, cip::Strip& strip);
     void thin_as_published(const cip::SubStep& step, const Water& before, double rain);
     void count_watched(const Block& block, int y, cip::Strip& strip) const;

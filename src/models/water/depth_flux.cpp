@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "models/shared/padded_grid.h"
 #include "models/water/kernels/depth_vectors.h"
 
@@ -19,7 +19,7 @@ Grid faces_east(const CarriedDepth& carried, double per_x) {
     PaddedGrid depth(nx, 1);
     PaddedGrid speed(nx, 1);
     for (int y = 0; y < ny; ++y) {
-        give_up_if_asked();
+        throw_if_cancelled();
         std::copy_n(carried.before.row(y).data(), nx, depth.row(0));
         std::copy_n(carried.u.row(y).data(), nx, speed.row(0));
         depth.wrap(0);
@@ -37,7 +37,7 @@ Grid faces_north(const CarriedDepth& carried, double per_y) {
     const int ny = carried.before.ny();
     Grid faces(nx, ny);
     for (int y = 0; y < ny; ++y) {
-        give_up_if_asked();
+        throw_if_cancelled();
         const auto row = [&](const Grid& grid, int by) {
             return grid.row((((y + by) % ny) + ny) % ny).data();
         };
@@ -61,7 +61,7 @@ PassedDepth share_depth(const CarriedDepth& carried, double per_x, double per_y,
     Grid north = faces_north(carried, per_y);
     Grid share(nx, ny, 1.0);
     for (int y = 0; y < ny; ++y) {
-        give_up_if_asked();
+        throw_if_cancelled();
         for (int x = 0; x < nx; ++x) {
             const double leaving =
                 (std::max(east(x + 1, y), 0.0) + std::max(-east(x, y), 0.0)) +
@@ -71,7 +71,7 @@ PassedDepth share_depth(const CarriedDepth& carried, double per_x, double per_y,
         }
     }
     for (int y = 0; y < ny; ++y) {
-        give_up_if_asked();
+        throw_if_cancelled();
         for (int x = 0; x <= nx; ++x) {
             double& moved = east(x, y);
             const int west = x == 0 ? nx - 1 : x - 1;
@@ -84,7 +84,7 @@ PassedDepth share_depth(const CarriedDepth& carried, double per_x, double per_y,
         }
     }
     for (int y = 0; y < ny; ++y) {
-        give_up_if_asked();
+        throw_if_cancelled();
         for (int x = 0; x < nx; ++x) {
             const double out =
                 (east(x + 1, y) - east(x, y)) + (north(x, y) - north(x, (y + ny - 1) % ny));

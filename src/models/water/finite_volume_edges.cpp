@@ -23,7 +23,7 @@ void FiniteVolumeScheme::find_outlets() {
             const auto look = [&](Side side, int cell, bool at_edge, int to_x, int to_y) {
                 if (at_edge && edges_->flows(side, cell)) {
                     outlets.push_back({x, side, true});
-                } else if (at_edge && edges_->has_stretches(side)) {
+                } else if (at_edge && edges_->has_segments(side)) {
                     if (edges_->kind(side, cell) == EdgeKind::open)
                         outlets.push_back({x, side, false});
                 } else if (is_outside(to_x, to_y)) {
@@ -50,8 +50,8 @@ void FiniteVolumeScheme::count_watched(const Stage& stage, const finite_volume::
 }
 
 /// A row beyond an edge with stretches.
-void FiniteVolumeScheme::load_row_beyond(const Stage& stage, finite_volume::Strip& strip,
-                                         int y) const {
+void FiniteVolumeScheme::load_ghost_row(const Stage& stage, finite_volume::Strip& strip,
+                                        int y) const {
     const Side side = y < 0 ? Side::south : Side::north;
     const int beyond = y < 0 ? -y : y - ny_ + 1;
     const int edge = y < 0 ? 0 : ny_ - 1;
@@ -74,14 +74,15 @@ void FiniteVolumeScheme::load_row_beyond(const Stage& stage, finite_volume::Stri
             strip.inside(y)[k] = inside;
             continue;
         }
-        load_on_line(stage, strip, k, y, {x, edge}, {x, inner}, beyond);
+        load_ghost_cells(stage, strip, k, y, {x, edge}, {x, inner}, beyond);
     }
 }
 
 /// A cell beyond the edge, on the line through the last two before it.
-void FiniteVolumeScheme::load_on_line(const Stage& stage, finite_volume::Strip& strip, int k, int y,
-                                      Place edge, Place inner, int beyond) const {
-    const auto has_data = [&](Place at) {
+void FiniteVolumeScheme::load_ghost_cells(const Stage& stage, finite_volume::Strip& strip, int k,
+                                          int y, CellIndex edge, CellIndex inner,
+                                          int beyond) const {
+    const auto has_data = [&](CellIndex at) {
         return domain_.nodata.empty() || domain_.nodata(at.x, at.y) == 0;
     };
     if (!has_data(edge)) {
@@ -103,7 +104,7 @@ void FiniteVolumeScheme::load_on_line(const Stage& stage, finite_volume::Strip& 
 }
 
 /// Puts what flows over the west and east edges through the faces there.
-void FiniteVolumeScheme::take_edge_x(finite_volume::Strip& strip, int y) const {
+void FiniteVolumeScheme::compute_edge_x(finite_volume::Strip& strip, int y) const {
     const CellSource row = source_of(y, ny_, domain_.edges_y);
     const bool periodic = domain_.edges_y == EdgeKind::periodic;
     if (!periodic && (y < 0 || y >= ny_)) return;
@@ -111,27 +112,27 @@ void FiniteVolumeScheme::take_edge_x(finite_volume::Strip& strip, int y) const {
         const int x = side == Side::west ? 0 : nx_ - 1;
         const int k = x - strip.first_x() + finite_volume::Strip::margin;
         if (k < 2 || k > strip.padded() - 3 || !edges_->flows(side, row.index)) continue;
-        put_through(strip, k, y, side, row.index);
+        set_edge_flux(strip, k, y, side, row.index);
     }
 }
 
 /// The same for the south and north edges.
-void FiniteVolumeScheme::take_edge_y(finite_volume::Strip& strip, int y) const {
+void FiniteVolumeScheme::compute_edge_y(finite_volume::Strip& strip, int y) const {
     for (const Side side : {Side::south, Side::north}) {
         const int row = side == Side::south ? 0 : ny_ - 1;
-        if (y != (side == Side::south ? -1 : ny_ - 1) || !edges_->has_stretches(side)) continue;
+        if (y != (side == Side::south ? -1 : ny_ - 1) || !edges_->has_segments(side)) continue;
         for (int k = 2; k < strip.padded() - 2; ++k) {
             const int x = strip.first_x() + k - finite_volume::Strip::margin;
             const bool is_beyond = x < 0 || x >= nx_;
             if (is_beyond && domain_.edges_x != EdgeKind::periodic) continue;
             const int cell = source_of(x, nx_, EdgeKind::periodic).index;
-            if (edges_->flows(side, cell)) put_through(strip, k, row, side, cell);
+            if (edges_->flows(side, cell)) set_edge_flux(strip, k, row, side, cell);
         }
     }
 }
 
-void FiniteVolumeScheme::put_through(finite_volume::Strip& strip, int k, int y, Side side,
-                                     int cell) const {
+void FiniteVolumeScheme::set_edge_flux(finite_volume::Strip& strip, int k, int y, Side side,
+                                       int cell) const {
     if (strip.inside(y)[k] == 0.0) return;
     const EdgeWater inside = strip.at_face(k, y, side);
     strip.set_flux(k, y, side, edges_->flux(side, cell, inside, gravity_), inside.depth, gravity_);
@@ -139,11 +140,11 @@ void FiniteVolumeScheme::put_through(finite_volume::Strip& strip, int k, int y, 
 
 /// Cells beside edges over which water may come in.
 void FiniteVolumeScheme::keep_inlets_wet() {
-    for (const EdgeStretch& stretch : domain_.stretches) {
-        if (stretch.kind != EdgeFlow::discharge && stretch.kind != EdgeFlow::level) continue;
-        for (int k = stretch.first; k <= stretch.last; ++k) {
-            const bool across_x = stretch.side == Side::west || stretch.side == Side::east;
-            const int edge = stretch.side == Side::west || stretch.side == Side::south ? 0
+    for (const EdgeSegment& segment : domain_.segments) {
+        if (segment.kind != EdgeFlow::discharge && segment.kind != EdgeFlow::level) continue;
+        for (int k = segment.first; k <= segment.last; ++k) {
+            const bool across_x = segment.side == Side::west || segment.side == Side::east;
+            const int edge = segment.side == Side::west || segment.side == Side::south ? 0
                              : across_x                                                ? nx_ - 1
                                                                                        : ny_ - 1;
             tiles_->keep_wet(across_x ? edge : k, across_x ? k : edge);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 #include "base/worker_pool.h"
 
 namespace fumon {
@@ -80,9 +80,9 @@ void FiniteVolumeScheme::prepare(const Water& water) {
     shores_ = std::make_unique<ShorePlanes>(domain_, *edges_, nx_, ny_, gravity_, steepness_);
 }
 
-void FiniteVolumeScheme::take_means(Water& water, const Grid& bed) {
+void FiniteVolumeScheme::convert_to_means(Water& water, const Grid& bed) {
     prepare(water);
-    if (shores_) shores_->take_means(water, bed, pool_);
+    if (shores_) shores_->convert_to_means(water, bed, pool_);
 }
 
 double FiniteVolumeScheme::advance(Water& water, const Grid& bed, double dt, double rain) {
@@ -124,12 +124,12 @@ double FiniteVolumeScheme::edge_step_at_courant_one(double time, const Grid& bed
     return fumon::edge_step_at_courant_one(domain_, time, bed, gravity_);
 }
 
-void FiniteVolumeScheme::carry(StateCarrier& carrier) {
-    if (domain_.stretches.empty()) {
-        carrier.value("left_volume", left_);
+void FiniteVolumeScheme::serialise(StateArchive& archive) {
+    if (domain_.segments.empty()) {
+        archive.value("left_volume", left_);
     } else {
-        left_with_flow_.carry("left_volume", carrier);
-        entered_.carry("entered_volume", carrier);
+        left_with_flow_.serialise("left_volume", archive);
+        entered_.serialise("entered_volume", archive);
     }
 }
 
@@ -179,7 +179,7 @@ void FiniteVolumeScheme::run(const Stage& stage) {
         sum.left += row.left;
         sum.entered += row.entered;
     }
-    if (domain_.stretches.empty()) {
+    if (domain_.segments.empty()) {
         left_ += stage.weight * stage.dt * sum.left;
     } else {
         left_with_flow_.add(stage.weight * stage.dt * sum.left);
@@ -224,8 +224,8 @@ void FiniteVolumeScheme::advance_part(const Stage& stage, finite_volume::Strip& 
     for (int block = 0; block < blocks; ++block) {
         const int start = part.first_x + width * block / blocks;
         const int stop = part.first_x + width * (block + 1) / blocks;
-        strip.start(start, stop - start, start == 0 && edges_->has_stretches(Side::west),
-                    stop == nx_ && edges_->has_stretches(Side::east));
+        strip.start(start, stop - start, start == 0 && edges_->has_segments(Side::west),
+                    stop == nx_ && edges_->has_segments(Side::east));
         advance_block(stage, strip, part.first_y, part.end_y);
     }
 }
@@ -246,20 +246,20 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
     const int lowest = first_row - finite_volume::Strip::margin;
     const bool flows = edges_->any_flow();
     for (int top = lowest; top < last_row + finite_volume::Strip::margin; ++top) {
-        give_up_if_asked();
+        throw_if_cancelled();
         load_row(stage, strip, top);
-        strip.take_invariants(top, gravity_);
+        strip.compute_invariants(top, gravity_);
         if (top < lowest + 2) continue;
-        strip.take_y_slopes(top - 1);
+        strip.compute_y_slopes(top - 1);
         if (top < lowest + 3) continue;
-        strip.take_y_fluxes(top - 2, gravity_);
-        if (flows) take_edge_y(strip, top - 2);
+        strip.compute_y_fluxes(top - 2, gravity_);
+        if (flows) compute_edge_y(strip, top - 2);
         if (top < lowest + 4) continue;
-        strip.take_x_fluxes(top - 2, gravity_);
-        if (shores_) put_shores(strip, top - 2);
-        if (flows) take_edge_x(strip, top - 2);
-        const bool beyond = (top - 2 < 0 && edges_->has_stretches(Side::south)) ||
-                            (top - 2 >= ny_ && edges_->has_stretches(Side::north));
+        strip.compute_x_fluxes(top - 2, gravity_);
+        if (shores_) set_shore_fluxes(strip, top - 2);
+        if (flows) compute_edge_x(strip, top - 2);
+        const bool beyond = (top - 2 < 0 && edges_->has_segments(Side::south)) ||
+                            (top - 2 >= ny_ && edges_->has_segments(Side::north));
         bound_speeds(stage, strip, top - 2);
         strip.cut_fluxes(top - 2, dt_dx, dt_dy, beyond);
         const int y = top - 3;
@@ -284,7 +284,7 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
 }
 
 /// The fluxes of cells along shores, in row y, which may lie beyond a periodic edge.
-void FiniteVolumeScheme::put_shores(finite_volume::Strip& strip, int y) const {
+void FiniteVolumeScheme::set_shore_fluxes(finite_volume::Strip& strip, int y) const {
     const CellSource row = source_of(y, ny_, domain_.edges_y);
     const bool is_beyond_wall = row.mirrored || row.outside;
     if (is_beyond_wall && y != -1) return;
@@ -301,7 +301,7 @@ void FiniteVolumeScheme::bound_speeds(const Stage& stage, finite_volume::Strip& 
                                       int y) const {
     const double steepness =
         std::sqrt(domain_.slope * domain_.slope + domain_.slope_x * domain_.slope_x);
-    strip.take_speed_bounds(
+    strip.compute_speed_bounds(
         y, {domain_.dx, domain_.dy, gravity_, stage.dt * gravity_ * steepness, stage.dt});
     if (y < 0 || y >= ny_) return;
     for (const Outlet& outlet : outlets_[static_cast<std::size_t>(y)]) {
@@ -335,9 +335,9 @@ void FiniteVolumeScheme::rate_row(const Water& water, const finite_volume::Strip
 }
 
 void FiniteVolumeScheme::load_row(const Stage& stage, finite_volume::Strip& strip, int y) const {
-    if ((y < 0 && edges_->has_stretches(Side::south)) ||
-        (y >= ny_ && edges_->has_stretches(Side::north))) {
-        load_row_beyond(stage, strip, y);
+    if ((y < 0 && edges_->has_segments(Side::south)) ||
+        (y >= ny_ && edges_->has_segments(Side::north))) {
+        load_ghost_row(stage, strip, y);
         return;
     }
     const CellSource row = source_of(y, ny_, domain_.edges_y);
@@ -368,9 +368,9 @@ void FiniteVolumeScheme::load_row(const Stage& stage, finite_volume::Strip& stri
         const bool is_beyond = x < 0 || x >= nx_;
         if (is_beyond && edges_->flows(side, row.index)) {
             const bool is_low = x < 0;
-            const Place edge{is_low ? 0 : nx_ - 1, row.index};
-            const Place inner{is_low ? std::min(1, nx_ - 1) : std::max(nx_ - 2, 0), row.index};
-            load_on_line(stage, strip, k, y, edge, inner, is_low ? -x : x - nx_ + 1);
+            const CellIndex edge{is_low ? 0 : nx_ - 1, row.index};
+            const CellIndex inner{is_low ? std::min(1, nx_ - 1) : std::max(nx_ - 2, 0), row.index};
+            load_ghost_cells(stage, strip, k, y, edge, inner, is_low ? -x : x - nx_ + 1);
             return;
         }
         const CellSource column =

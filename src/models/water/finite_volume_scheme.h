@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/compensated_sum.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "models/water/finite_volume_strip.h"
 #include "models/water/shallow_water.h"
 #include "models/water/shore_planes.h"
@@ -48,11 +48,11 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     [[nodiscard]] double entered() const override { return entered_.value(); }
     void record(FaceFlows& flows) override { flows_ = &flows; }
     void watch(WatchedFaces& faces) override { watched_ = &faces; }
-    void take_means(Water& water, const Grid& bed) override;
+    void convert_to_means(Water& water, const Grid& bed) override;
     void set_rain(const Grid* rain) override { rain_ = rain; }
     void set_time(double time) override;
     [[nodiscard]] double edge_step_at_courant_one(double time, const Grid& bed) const override;
-    void carry(StateCarrier& carrier) override;
+    void serialise(StateArchive& archive) override;
 
   private:
     /// One of the Euler steps that make a step: two, or three where shores have planes and no loads
@@ -74,7 +74,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
         bool is_flow = false;
         double volume = 0.0;  ///< of a stage, m³/s, outward
     };
-    struct Place {
+    struct CellIndex {
         int x = 0;
         int y = 0;
     };
@@ -102,13 +102,13 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     void advance_block(const Stage& stage, finite_volume::Strip& strip, int first_row,
                        int last_row);
     void load_row(const Stage& stage, finite_volume::Strip& strip, int y) const;
-    void load_row_beyond(const Stage& stage, finite_volume::Strip& strip, int y) const;
-    void load_on_line(const Stage& stage, finite_volume::Strip& strip, int k, int y, Place edge,
-                      Place inner, int beyond) const;
-    void put_through(finite_volume::Strip& strip, int k, int y, GridSide side, int cell) const;
-    void put_shores(finite_volume::Strip& strip, int y) const;
-    void take_edge_x(finite_volume::Strip& strip, int y) const;
-    void take_edge_y(finite_volume::Strip& strip, int y) const;
+    void load_ghost_row(const Stage& stage, finite_volume::Strip& strip, int y) const;
+    void load_ghost_cells(const Stage& stage, finite_volume::Strip& strip, int k, int y,
+                          CellIndex edge, CellIndex inner, int beyond) const;
+    void set_edge_flux(finite_volume::Strip& strip, int k, int y, GridSide side, int cell) const;
+    void set_shore_fluxes(finite_volume::Strip& strip, int y) const;
+    void compute_edge_x(finite_volume::Strip& strip, int y) const;
+    void compute_edge_y(finite_volume::Strip& strip, int y) const;
     void bound_speeds(const Stage& stage, finite_volume::Strip& strip, int y) const;
     void keep_flows(const Stage& stage, finite_volume::Strip& strip, int y) const;
     void count_left(const finite_volume::Strip& strip, int y);

@@ -40,8 +40,8 @@ Fluxes Strip::fluxes(Kind kind, int y, int from) {
             row(kind + 3, y) + from};
 }
 
-void Strip::take_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
-                        const HalfSlopes& out, int count) const {
+void Strip::compute_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
+                           const HalfSlopes& out, int count) const {
     limited_half_slopes(back, here, forward, limits_, out, count);
     if (partly_wet_) shore_half_slopes(back, here, forward, limits_.gravity, out, count);
 }
@@ -58,9 +58,9 @@ CellRow Strip::at_faces(Kind kind, const CellRow& cells, int y, int from) {
     return {row.depth, row.surface, row.normal, row.transverse, cells.inside};
 }
 
-void Strip::take_x_fluxes(int y, double gravity) {
-    take_slopes(across_x(y, 0), across_x(y, 1), across_x(y, 2), slopes(x_slopes, y, 1),
-                padded() - 2);
+void Strip::compute_x_fluxes(int y, double gravity) {
+    compute_slopes(across_x(y, 0), across_x(y, 1), across_x(y, 2), slopes(x_slopes, y, 1),
+                   padded() - 2);
     if (hold_means_)
         means_to_faces(across_x(y, 0), across_x(y, 1), across_x(y, 2), slopes(x_slopes, y, 1),
                        means(x_means, y, 1), padded() - 2);
@@ -69,15 +69,15 @@ void Strip::take_x_fluxes(int y, double gravity) {
                 partly_wet_, fluxes(x_fluxes, y, 1), padded() - 3);
 }
 
-void Strip::take_y_slopes(int y) {
-    take_slopes(across_y(y - 1, 2), across_y(y, 2), across_y(y + 1, 2), slopes(y_slopes, y, 2),
-                padded() - 4);
+void Strip::compute_y_slopes(int y) {
+    compute_slopes(across_y(y - 1, 2), across_y(y, 2), across_y(y + 1, 2), slopes(y_slopes, y, 2),
+                   padded() - 4);
     if (hold_means_)
         means_to_faces(across_y(y - 1, 2), across_y(y, 2), across_y(y + 1, 2),
                        slopes(y_slopes, y, 2), means(y_means, y, 2), padded() - 4);
 }
 
-void Strip::take_y_fluxes(int y, double gravity) {
+void Strip::compute_y_fluxes(int y, double gravity) {
     face_fluxes(at_faces(y_means, across_y(y, 2), y, 2), slopes(y_slopes, y, 2),
                 at_faces(y_means, across_y(y + 1, 2), y + 1, 2), slopes(y_slopes, y + 1, 2),
                 gravity, partly_wet_, fluxes(y_fluxes, y, 2), padded() - 4);
@@ -87,11 +87,11 @@ InvariantRow Strip::invariant_row(int y, int from) {
     return {across_x(y, from), row(invariants, y) + from};
 }
 
-void Strip::take_invariants(int y, double gravity) {
+void Strip::compute_invariants(int y, double gravity) {
     if (partly_wet_) largest_invariants(across_x(y, 0), gravity, row(invariants, y), padded());
 }
 
-void Strip::take_speed_bounds(int y, const BoundFactors& factors) {
+void Strip::compute_speed_bounds(int y, const BoundFactors& factors) {
     if (!partly_wet_) return;
     constexpr int from = margin - 1;
     speed_bounds({invariant_row(y - 1, from), invariant_row(y, from), invariant_row(y + 1, from)},

@@ -48,15 +48,15 @@ class Strip {
     [[nodiscard]] double* inside(int y) { return row(4, y); }
 
     /// Fluxes through the east and west faces of row y.
-    void take_x_fluxes(int y, double gravity);
+    void compute_x_fluxes(int y, double gravity);
     /// Slopes northward of row y, whose neighbours are loaded.
-    void take_y_slopes(int y);
+    void compute_y_slopes(int y);
     /// Fluxes through the faces between row y and the one north of it.
-    void take_y_fluxes(int y, double gravity);
+    void compute_y_fluxes(int y, double gravity);
     /// What rows of cells that may be partly wet are bounded by; nothing for others.
-    void take_invariants(int y, double gravity);
+    void compute_invariants(int y, double gravity);
     /// How fast thin water of row y may become, where the rows beside it have theirs.
-    void take_speed_bounds(int y, const BoundFactors& factors);
+    void compute_speed_bounds(int y, const BoundFactors& factors);
     /// Lets the water of a cell become as fast as it will.
     void free_speed(int x, int y);
     /// Cuts the fluxes of row y, and of the faces south of it, to what the cells can pay; cells of
@@ -110,8 +110,8 @@ class Strip {
     [[nodiscard]] const double* row(int field, int y) const {
         return values_.data() + place(field, y);
     }
-    void take_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
-                     const HalfSlopes& out, int count) const;
+    void compute_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
+                        const HalfSlopes& out, int count) const;
     void set_fluxes(Kind kind, int y, const std::vector<ShorePlanes::Face>& faces, int shift);
     [[nodiscard]] CellRow across_x(int y, int from);
     [[nodiscard]] InvariantRow invariant_row(int y, int from);

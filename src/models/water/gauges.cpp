@@ -253,11 +253,11 @@ std::vector<SnapshotNumber> Gauges::read(const Water& water, const Grid& bed) co
     return numbers;
 }
 
-void Gauges::carry(StateCarrier& carrier) {
+void Gauges::serialise(StateArchive& archive) {
     for (Gauge& gauge : gauges_) {
         if (gauge.is_point) continue;
-        gauge.volume.carry(gauge.name + "_volume", carrier);
-        carrier.value(gauge.name + "_step_volume", gauge.step_volume);
+        gauge.volume.serialise(gauge.name + "_volume", archive);
+        archive.value(gauge.name + "_step_volume", gauge.step_volume);
     }
 }
 

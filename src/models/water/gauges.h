@@ -7,7 +7,7 @@
 #include "base/compensated_sum.h"
 #include "base/grid.h"
 #include "base/snapshot.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "models/water/gully_parameters.h"
 #include "models/water/shallow_water.h"
 #include "models/water/watched_faces.h"
@@ -45,7 +45,7 @@ class Gauges {
     [[nodiscard]] std::vector<SnapshotNumber> read(const Water& water, const Grid& bed) const;
 
     /// Saves or restores what has passed.
-    void carry(StateCarrier& carrier);
+    void serialise(StateArchive& archive);
 
   private:
     struct Gauge {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
-#include "base/state_carrier.h"
+#include "base/state_archive.h"
 #include "base/worker_pool.h"
 #include "models/water/kernels/fault_vectors.h"
 #include "models/water/shallow_water.h"
@@ -122,7 +122,7 @@ void check_time_step(const GullyParameters& parameters, double step_at_one) {
 std::unique_ptr<ShallowWaterScheme> scheme_of(const GullyStart& start, WorkerPool& pool,
                                               Water& water) {
     std::unique_ptr<ShallowWaterScheme> scheme = make_water_scheme(start, pool);
-    scheme->take_means(water, start.bed);
+    scheme->convert_to_means(water, start.bed);
     return scheme;
 }
 
@@ -166,7 +166,7 @@ void Gully::step() {
     substeps_ = 0;
     gauges_.begin_step();
     while (remaining > 0.0) {
-        give_up_if_asked();
+        throw_if_cancelled();
         const double dt = sub_step_size(remaining, elapsed);
         sub_step(dt, elapsed);
         remaining = dt == remaining ? 0.0 : remaining - dt;
@@ -175,7 +175,7 @@ void Gully::step() {
                          fmt::format("a step takes more than {} sub-steps", most_substeps));
         }
     }
-    if (carries()) loads_->fail_banks(bed_);
+    if (transports_loads()) loads_->fail_banks(bed_);
     ++steps_;
     check_water(water_, bed_, time(), pool_);
     counters_ = {fallen_.value(), scheme_->left(), sediment_removed()};
@@ -195,7 +195,8 @@ double Gully::sub_step_size(double remaining, double elapsed) const {
         std::min(step_at_courant_one_, scheme_->edge_step_at_courant_one(elapsed, bed_));
     const double limit = parameters_.courant_number * step_at_one;
     constexpr double bed_courant_number = 0.5;
-    const double of_bed = carries() ? remaining * loads_->pace() / bed_courant_number : 0.0;
+    const double of_bed =
+        transports_loads() ? remaining * loads_->bed_rate() / bed_courant_number : 0.0;
     const double pieces = std::ceil(std::max(remaining / limit, of_bed) * (1.0 - 1e-12));
     if (pieces <= 1.0) return remaining;
     if (!(pieces <= most_substeps)) {
@@ -217,14 +218,14 @@ void Gully::sub_step(double dt, double& elapsed) {
     scheme_->set_rain(rain.by_cell);
     scheme_->set_time(elapsed + 0.5 * dt);
     infiltration_.advance(water_.depth, elapsed, dt);
-    const bool carrying = carries();
-    if (carrying) loads_->begin(water_.depth);
+    const bool transporting = transports_loads();
+    if (transporting) loads_->begin(water_.depth);
     step_at_courant_one_ = scheme_->advance(water_, bed_, dt, rain.even);
     gauges_.end_sub_step();
     fallen_.add(rain.by_cell == nullptr ? rain.even * dt * wet_area_ : rain.volume);
-    if (carrying || !loads_)
+    if (transporting || !loads_)
         sediment_.advance(bed_, water_, loads_ ? dt * parameters_.loads.morphological_factor : dt);
-    if (carrying)
+    if (transporting)
         loads_->advance(bed_, {water_.depth, water_.velocity_x, water_.velocity_y}, flows_, dt);
     elapsed += dt;
 }
@@ -268,7 +269,7 @@ std::vector<SnapshotNumber> Gully::budgets() const {
         {"sediment_budget_error", "1",
          share((sediment + suspended) + removed, {sediment, suspended, removed, in_relief})},
         {"substeps", "1", static_cast<double>(substeps_)}};
-    if (!domain_.stretches.empty()) numbers.push_back({"entered_volume", "m3", entered});
+    if (!domain_.segments.empty()) numbers.push_back({"entered_volume", "m3", entered});
     if (infiltration_.takes()) numbers.push_back({"infiltrated_volume", "m3", infiltrated});
     if (domain_.slope_x != 0.0) numbers.push_back({"mean_slope_x", "m/m", domain_.slope_x});
     return numbers;
@@ -318,7 +319,7 @@ Snapshot Gully::snapshot() const {
     return snapshot;
 }
 
-std::string Gully::doubt() const {
+std::string Gully::plausibility_warning() const {
     const bool stays = parameters_.transport == SedimentTransport::none;
     if (!on_terrain_ || steps_ == 0 || stays || loads_) return {};
     constexpr double least = 1.0;               // m
@@ -363,20 +364,20 @@ std::vector<StateField> Gully::state() const {
     return fields;
 }
 
-void Gully::carry(StateCarrier& carrier) {
-    carrier.count("steps", steps_);
-    carrier.count("substeps", substeps_);
-    carrier.values("bed", bed_.values());
-    carrier.values("water_depth", water_.depth.values());
-    carrier.values("velocity_x", water_.velocity_x.values());
-    carrier.values("velocity_y", water_.velocity_y.values());
-    scheme_->carry(carrier);
-    sediment_.carry(carrier);
-    if (loads_) loads_->carry(carrier);
-    infiltration_.carry(carrier);
-    fallen_.carry("rain_volume", carrier);
-    gauges_.carry(carrier);
-    carrier.values("counters", counters_);
+void Gully::serialise(StateArchive& archive) {
+    archive.count("steps", steps_);
+    archive.count("substeps", substeps_);
+    archive.values("bed", bed_.values());
+    archive.values("water_depth", water_.depth.values());
+    archive.values("velocity_x", water_.velocity_x.values());
+    archive.values("velocity_y", water_.velocity_y.values());
+    scheme_->serialise(archive);
+    sediment_.serialise(archive);
+    if (loads_) loads_->serialise(archive);
+    infiltration_.serialise(archive);
+    fallen_.serialise("rain_volume", archive);
+    gauges_.serialise(archive);
+    archive.values("counters", counters_);
     step_at_courant_one_ = scheme_->step_at_courant_one(water_);
 }
 

@@ -48,9 +48,9 @@ class Gully : public Model {
     [[nodiscard]] std::string_view time_unit() const override { return "s"; }
     [[nodiscard]] Snapshot snapshot() const override;
     /// On a terrain file: where the bed has changed by over a metre, faster than a metre an hour.
-    [[nodiscard]] std::string doubt() const override;
+    [[nodiscard]] std::string plausibility_warning() const override;
     [[nodiscard]] std::vector<StateField> state() const override;
-    void carry(StateCarrier& carrier) override;
+    void serialise(StateArchive& archive) override;
 
   private:
     Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool);
@@ -64,7 +64,7 @@ class Gully : public Model {
     void add_loads(Snapshot& snapshot) const;
     /// Steps before the bed moves.
     [[nodiscard]] std::int64_t resting_steps() const;
-    [[nodiscard]] bool carries() const { return loads_ && steps_ >= resting_steps(); }
+    [[nodiscard]] bool transports_loads() const { return loads_ && steps_ >= resting_steps(); }
 
     GullyParameters parameters_;
     WaterDomain domain_;

@@ -33,7 +33,7 @@ EdgeKind decided(EdgeKind edge, bool from_file, bool has_walls) {
 }
 
 /// Whether a scene says more of the edges of an axis.
-bool has_stretches(const GullyParameters& parameters, bool across_x) {
+bool has_segments(const GullyParameters& parameters, bool across_x) {
     return std::ranges::any_of(parameters.edges, [&](const EdgeSettings& edge) {
         return (edge.side == GridSide::west || edge.side == GridSide::east) == across_x;
     });
@@ -47,10 +47,10 @@ WaterDomain domain_of(const GullyParameters& parameters, ModelSetup& setup) {
                                               : parameters.slope.value;
     domain.slope_x = parameters.slope_x;
     domain.edges_x = decided(parameters.edges_x, setup.from_file,
-                             parameters.basin || has_stretches(parameters, true));
+                             parameters.basin || has_segments(parameters, true));
     domain.edges_y = decided(parameters.edges_y, setup.from_file,
-                             parameters.basin || has_stretches(parameters, false));
-    domain.stretches = stretches_of(parameters, domain, setup.bed.nx(), setup.bed.ny());
+                             parameters.basin || has_segments(parameters, false));
+    domain.segments = edge_segments_of(parameters, domain, setup.bed.nx(), setup.bed.ny());
     domain.nodata = std::move(setup.nodata);
     return domain;
 }

@@ -70,11 +70,11 @@ void Infiltration::advance(Grid& depth, double time, double dt) {
     for (const double row : rows_) volume_.add(cell_area_ * row);
 }
 
-void Infiltration::carry(StateCarrier& carrier) {
+void Infiltration::serialise(StateArchive& archive) {
     if (!takes()) return;
-    volume_.carry("infiltrated_volume", carrier);
-    if (!total_.empty()) carrier.values("infiltrated", total_.values());
-    if (!fallen_.empty()) carrier.values("infiltration_capacity", fallen_.values());
+    volume_.serialise("infiltrated_volume", archive);
+    if (!total_.empty()) archive.values("infiltrated", total_.values());
+    if (!fallen_.empty()) archive.values("infiltration_capacity", fallen_.values());
 }
 
 }  // namespace fumon

@@ -43,7 +43,7 @@ class Infiltration {
     /// F of every cell by Green & Ampt, m; else empty.
     [[nodiscard]] const Grid& total() const { return total_; }
 
-    void carry(StateCarrier& carrier);
+    void serialise(StateArchive& archive);
 
   private:
     /// A parameter of each cell, or of a row of cells where all rows have the same.

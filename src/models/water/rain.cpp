@@ -23,7 +23,7 @@ Rain::Step Rain::over(double time, double dt) {
 
 double Rain::even_rate(double time, double dt) const {
     if (!times_.empty())
-        return mean_of_stairs(times_, rates_, time, time + dt) * millimetre_per_hour;
+        return mean_of_steps(times_, rates_, time, time + dt) * millimetre_per_hour;
     const double until = until_ > 0.0 ? until_ : time + dt;
     const double raining = std::clamp(until - time, 0.0, dt) / dt;
     return raining * rate_ * millimetre_per_hour;

@@ -5,15 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cancellation.h"
 #include "base/error.h"
-#include "base/give_up.h"
 #include "base/worker_pool.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr double stable_turn = 0.4;  // D dt (1/dx² + 1/dy²) of an explicit turn: 0.5 is the limit
+constexpr double stable_diffusion_number =
+    0.4;  // D dt (1/dx² + 1/dy²) of an explicit turn: 0.5 is the limit
 constexpr double most_turns = 10000;
 
 }  // namespace
@@ -43,7 +44,7 @@ Sediment::Sediment(const GullyParameters& parameters, const WaterDomain& domain,
                  domain.edges_y == EdgeKind::periodic, pool),
       row_changes_(static_cast<std::size_t>(ny)) {
     const double most =
-        most_turns * stable_turn /
+        most_turns * stable_diffusion_number /
         (parameters.time_step * (1.0 / (domain.dx * domain.dx) + 1.0 / (domain.dy * domain.dy)));
     if (!domain.nodata.empty() && diffusion_rate_ > most) {
         throw KeyError(
@@ -89,11 +90,11 @@ void Sediment::advance(Grid& bed, const Water& water, double dt) {
     pool_.for_ranges(ny_, [&](int begin, int end) {
         Scratch scratch(nx_);
         for (int y = begin; masked && y < end; ++y) {
-            give_up_if_asked();
+            throw_if_cancelled();
             transport_row(bed, water, dt, y, scratch, change_.row(y).data());
         }
         for (int from = begin; !masked && from < end; from += BedDiffusion::rows_at_once) {
-            give_up_if_asked();
+            throw_if_cancelled();
             const int to = std::min(from + BedDiffusion::rows_at_once, end);
             for (int y = from; y < to; ++y)
                 transport_row(bed, water, dt, y, scratch, scratch.changes.row(y - from).data());
@@ -113,7 +114,7 @@ void Sediment::find_fluxes(const Grid& bed, const Water& water) {
     pool_.for_ranges(ny_, [&](int begin, int end) {
         Scratch scratch(nx_);
         for (int y = begin; y < end; ++y) {
-            give_up_if_asked();
+            throw_if_cancelled();
             flux_row(bed, water, y, scratch);
             sediment::direct_row(scratch.flux.data(), water.velocity_x.row(y).data(),
                                  water.velocity_y.row(y).data(), nx_, flux_x_.row(y).data(),
@@ -126,12 +127,12 @@ void Sediment::find_fluxes(const Grid& bed, const Water& water) {
 /// |q_s| of a row into the scratch, and downhill the drops.
 void Sediment::flux_row(const Grid& bed, const Water& water, int y, Scratch& scratch) {
     if (downhill_) {
-        constexpr Beyond same = Beyond::same;
+        constexpr GhostValue same = GhostValue::same;
         sediment::downhill_row(law_, bed.row(y).data(),
                                scratch.bed.of(bed, domain_, y, same, same, same), nx_,
                                scratch.flux.data(), scratch.drop.data());
     } else {
-        constexpr Beyond line = Beyond::on_the_line;
+        constexpr GhostValue line = GhostValue::extrapolated;
         sediment::steepness_row(law_, scratch.bed.of(bed, domain_, y, line, line, line), nx_,
                                 scratch.flux.data());
     }
@@ -154,7 +155,7 @@ void Sediment::hold_at_walls(int y) {
 
 void Sediment::transport_row(const Grid& bed, const Water& water, double dt, int y,
                              Scratch& scratch, double* change) {
-    constexpr Beyond same = Beyond::same;
+    constexpr GhostValue same = GhostValue::same;
     switch (transport_) {
         case SedimentTransport::none:
             break;
@@ -194,9 +195,9 @@ void Sediment::transport_row(const Grid& bed, const Water& water, double dt, int
 
 /// What conservative transport changes in a row.
 void Sediment::settle_row(const Grid& bed, double dt, int y, Scratch& scratch, double* change) {
-    constexpr Beyond same = Beyond::same;
+    constexpr GhostValue same = GhostValue::same;
     const auto conserved = [](EdgeKind edge) {
-        return edge == EdgeKind::wall ? Beyond::opposite : Beyond::same;
+        return edge == EdgeKind::wall ? GhostValue::opposite : GhostValue::same;
     };
     const sediment::Sides along_x =
         scratch.along_x.of(flux_x_, domain_, y, conserved(domain_.edges_x), same, same);
@@ -218,15 +219,16 @@ void Sediment::settle_row(const Grid& bed, double dt, int y, Scratch& scratch, d
 void Sediment::diffuse_masked(Grid& bed, double dt) {
     const double per_x = diffusion_rate_ * dt / (domain_.dx * domain_.dx);
     const double per_y = diffusion_rate_ * dt / (domain_.dy * domain_.dy);
-    const int turns = std::max(1, static_cast<int>(std::ceil((per_x + per_y) / stable_turn)));
+    const int turns =
+        std::max(1, static_cast<int>(std::ceil((per_x + per_y) / stable_diffusion_number)));
     for (std::size_t cell = 0; cell < bed.size(); ++cell)
         bed.values()[cell] += change_.values()[cell];
     for (int turn = 0; turn < turns; ++turn) {
         pool_.for_ranges(ny_, [&](int begin, int end) {
-            RowSides scratch(nx_);
-            constexpr Beyond same = Beyond::same;
+            RowNeighbours scratch(nx_);
+            constexpr GhostValue same = GhostValue::same;
             for (int y = begin; y < end; ++y) {
-                give_up_if_asked();
+                throw_if_cancelled();
                 const sediment::Sides sides = scratch.of(bed, domain_, y, same, same, same);
                 for (int x = 0; x < nx_; ++x) {
                     const double here = bed(x, y);

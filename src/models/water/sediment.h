@@ -6,7 +6,7 @@
 #include "models/shared/bed_diffusion.h"
 #include "models/water/gully_parameters.h"
 #include "models/water/kernels/sediment_vectors.h"
-#include "models/water/row_sides.h"
+#include "models/water/row_neighbours.h"
 #include "models/water/shallow_water.h"
 
 namespace fumon {
@@ -52,7 +52,7 @@ class Sediment {
     /// What the transport has taken from the domain since the start, m³.
     [[nodiscard]] double removed() const { return -changed_.value() * domain_.dx * domain_.dy; }
 
-    void carry(StateCarrier& carrier) { changed_.carry("sediment_changed", carrier); }
+    void serialise(StateArchive& archive) { changed_.serialise("sediment_changed", archive); }
 
   private:
     /// What a thread holds while it works on rows.
@@ -64,7 +64,7 @@ class Sediment {
               flux(static_cast<std::size_t>(nx)),
               drop(static_cast<std::size_t>(nx)),
               changes(nx, BedDiffusion::rows_at_once) {}
-        RowSides bed, along_x, along_y;
+        RowNeighbours bed, along_x, along_y;
         std::vector<double> flux;  ///< |q_s|, m²/s
         std::vector<double> drop;  ///< to the lowest neighbour, m; downhill only
         Grid changes;              ///< of a few rows by transport in a sub-step, m

@@ -22,7 +22,7 @@ struct Water {
 };
 
 /// Cells `first` to `last` of a side whose edge has a kind of its own.
-struct EdgeStretch {
+struct EdgeSegment {
     GridSide side = GridSide::west;
     int first = 0;
     int last = 0;
@@ -40,7 +40,7 @@ struct WaterDomain {
     double slope_x = 0.0;                   ///< … and toward +x: g·slope_x; of finite volumes
     EdgeKind edges_x = EdgeKind::periodic;  ///< never automatic
     EdgeKind edges_y = EdgeKind::periodic;
-    std::vector<EdgeStretch> stretches;  ///< of finite volumes, on sides that are not periodic
+    std::vector<EdgeSegment> segments;  ///< of finite volumes, on sides that are not periodic
     Mask nodata;  ///< empty, or 1 outside the domain: water that gets there is gone
 };
 
@@ -68,7 +68,7 @@ class ShallowWaterScheme {
 
     /// Changes depths at the cells' middles, as water is given at the start, to those that the
     /// scheme keeps.
-    virtual void take_means(Water& /*water*/, const Grid& /*bed*/) {}
+    virtual void convert_to_means(Water& /*water*/, const Grid& /*bed*/) {}
 
     /// Volume that left over open edges and into cells without data since the start, m³.
     [[nodiscard]] virtual double left() const { return 0.0; }
@@ -99,7 +99,7 @@ class ShallowWaterScheme {
     [[nodiscard]] virtual std::vector<StateField> state() const { return {}; }
 
     /// Saves or restores that, and the volume that has left.
-    virtual void carry(StateCarrier& carrier) = 0;
+    virtual void serialise(StateArchive& archive) = 0;
 };
 
 }  // namespace fumon

@@ -122,7 +122,7 @@ void ShorePlanes::deliver_deficits(Water& water, double dt, const DeliveryNotes&
             const auto deliver = [&](std::size_t side, int dx, int dy) {
                 const double part = share * deficit.to[side];
                 if (!(part > 0.0)) return;
-                const Place to = at(x + dx, y + dy);
+                const CellReference to = at(x + dx, y + dy);
                 deliveries.push_back(
                     {to.y, to.x, side ^ 1U, part, water.velocity_x(x, y), water.velocity_y(x, y)});
                 if (notes.faces != nullptr)

@@ -10,9 +10,9 @@ namespace fumon {
 
 namespace {
 
-constexpr double no_speed = 1e-300;  // m/s
-constexpr double no_mass = 1e-300;   // m²/s
-constexpr double same_level = 0.25;  // of the bed's slope over a cell
+constexpr double speed_floor = 1e-300;  // m/s
+constexpr double mass_floor = 1e-300;   // m²/s
+constexpr double same_level = 0.25;     // of the bed's slope over a cell
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void ShorePlanes::find_faces(int y) {
             row.east.push_back(face_between(nx_ - 1, y, true));
         for (const Plane& plane : row.cells) row.north.push_back(face_between(plane.x, y, false));
     }
-    const Place& above = places_y_[static_cast<std::size_t>(y + 1 + pad)];
+    const CellReference& above = places_y_[static_cast<std::size_t>(y + 1 + pad)];
     const bool is_periodic = domain_.edges_y == EdgeKind::periodic;
     if (above.outside || above.sign_y < 0.0 || (y < 0 && is_periodic)) return;
     for (const Plane& plane : rows_[slot(above.y)].cells) {
@@ -43,14 +43,14 @@ void ShorePlanes::find_faces(int y) {
     std::ranges::sort(row.north, {}, &Face::x);
 }
 
-ShorePlanes::Plane ShorePlanes::plane_of(const Place& place) const {
+ShorePlanes::Plane ShorePlanes::plane_of(const CellReference& place) const {
     if (is(shore, place)) {
         const std::vector<Plane>& cells = rows_[slot(place.y)].cells;
         return *std::ranges::lower_bound(cells, place.x, {}, &Plane::x);
     }
     if (is(core, place)) return plane_inside(place.x, place.y);
     Plane plane;
-    put_bed(plane, place.x, place.y);
+    set_bed(plane, place.x, place.y);
     plane.level = surface(place);
     plane.u = water_->velocity_x(place.x, place.y);
     plane.v = water_->velocity_y(place.x, place.y);
@@ -58,7 +58,7 @@ ShorePlanes::Plane ShorePlanes::plane_of(const Place& place) const {
 }
 
 /// Whether it is thin water of its own, and none that stands as high as that of the next cell.
-bool ShorePlanes::is_film(const Place& place, const Plane& own, const Plane& beside) const {
+bool ShorePlanes::is_film(const CellReference& place, const Plane& own, const Plane& beside) const {
     if (is(planed, place) || is(core, place)) return false;
     return std::fabs(own.level - beside.level) >
            same_level * (std::fabs(own.bed_x) + std::fabs(own.bed_y));
@@ -84,12 +84,12 @@ ShorePlanes::Side ShorePlanes::side_of(const Plane& plane, bool across_x, double
 }
 
 ShorePlanes::Face ShorePlanes::face_between(int x, int y, bool across_x) const {
-    const Place back = at(x, y);
-    const Place forward = across_x ? at(x + 1, y) : at(x, y + 1);
-    const auto is_wet = [&](const Place& place) {
+    const CellReference back = at(x, y);
+    const CellReference forward = across_x ? at(x + 1, y) : at(x, y + 1);
+    const auto is_wet = [&](const CellReference& place) {
         return !place.outside && water_->depth(place.x, place.y) > dry_depth;
     };
-    const auto is_mirror = [&](const Place& place) {
+    const auto is_mirror = [&](const CellReference& place) {
         return (across_x ? place.sign_x : place.sign_y) < 0.0;
     };
     const Plane left = plane_of(back);
@@ -115,7 +115,7 @@ ShorePlanes::Face ShorePlanes::face_between(int x, int y, bool across_x) const {
     } else {
         const double bed = 0.5 * (bed_left + bed_right);
         const double rise = 0.5 * (rise_left + rise_right);
-        const auto thin = [&](Side& side, const Place& place, const Plane& own,
+        const auto thin = [&](Side& side, const CellReference& place, const Plane& own,
                               const Plane& beside) {
             if (!is_film(place, own, beside)) return;
             const double depth = water_->depth(place.x, place.y);
@@ -150,7 +150,7 @@ ShorePlanes::Face ShorePlanes::flux(Side left, Side right) const {
     const double c_star = 0.5 * (c_left + c_right) + 0.25 * (u_left - u_right);
     const double slowest = std::min(std::min(u_left - c_left, u_star - c_star), 0.0);
     const double quickest = std::max(std::max(u_right + c_right, u_star + c_star), 0.0);
-    const double share = 1.0 / std::max(quickest - slowest, no_speed);
+    const double share = 1.0 / std::max(quickest - slowest, speed_floor);
     const double q_left = left.depth * u_left;
     const double q_right = right.depth * u_right;
     const double both = slowest * quickest;
@@ -161,7 +161,7 @@ ShorePlanes::Face ShorePlanes::flux(Side left, Side right) const {
         ((quickest * q_left - slowest * q_right) + both * (right.depth - left.depth)) * share;
     // Where nothing passes, the deeper side pays for what its pressure does.
     if (face.mass == 0.0 && left.square != right.square)
-        face.mass = left.square > right.square ? no_mass : 0.0 - no_mass;
+        face.mass = left.square > right.square ? mass_floor : 0.0 - mass_floor;
     face.left = (carried - slowest * pressure_rise) * share;
     face.right = (carried - quickest * pressure_rise) * share;
     face.along = std::max(face.mass, 0.0) * left.along + std::min(face.mass, 0.0) * right.along;

@@ -32,7 +32,7 @@ void ShorePlanes::find_full(int y) {
     const Grid& depth = water_->depth;
     std::uint8_t* flags = flags_of(full, y);
     const auto row_beside = [&](int to) {
-        const Place& row = places_y_[static_cast<std::size_t>(to + pad)];
+        const CellReference& row = places_y_[static_cast<std::size_t>(to + pad)];
         return depth.row(row.outside ? y : row.y).data();
     };
     const double* here = depth.row(y).data();
@@ -45,7 +45,7 @@ void ShorePlanes::find_full(int y) {
         flags[x] = h > std::max(0.5 * (fall_x + fall_y), dry_depth) ? 1 : 0;
     };
     const auto beside = [&](int x) {
-        const Place& column = columns_[static_cast<std::size_t>(x + pad)];
+        const CellReference& column = columns_[static_cast<std::size_t>(x + pad)];
         return column.outside ? 0.0 : here[column.x];
     };
     const auto [begin, end] = wet_[static_cast<std::size_t>(y)] = wet_part(here, nx_);
@@ -61,9 +61,9 @@ void ShorePlanes::find_full(int y) {
 }
 
 /// Beyond an edge over which water falls all is taken to be of the kind.
-void ShorePlanes::copy_beyond(Kind kind) {
+void ShorePlanes::copy_ghost_flags(Kind kind) {
     const auto copy = [&](int x, int y) {
-        const Place from = at(x, y);
+        const CellReference from = at(x, y);
         flags_of(kind, y)[x] = from.outside ? std::uint8_t{1} : flags_of(kind, from.y)[from.x];
     };
     for (int y = -1; y <= ny_; ++y) {

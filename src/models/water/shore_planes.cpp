@@ -57,14 +57,14 @@ ShorePlanes::ShorePlanes(const WaterDomain& domain, const WaterEdges& edges, int
     for (std::vector<std::uint8_t>& flags : flags_) flags.resize(padded);
     for (int x = -pad; x < nx + pad; ++x) {
         const CellSource from = source_of(x, nx, domain.edges_x);
-        const bool given = (x < 0 && edges.has_stretches(GridSide::west)) ||
-                           (x >= nx && edges.has_stretches(GridSide::east));
+        const bool given = (x < 0 && edges.has_segments(GridSide::west)) ||
+                           (x >= nx && edges.has_segments(GridSide::east));
         columns_.push_back({from.index, 0, from.mirrored ? -1.0 : 1.0, 1.0, from.outside || given});
     }
     for (int y = -pad; y < ny + pad; ++y) {
         const CellSource from = source_of(y, ny, domain.edges_y);
-        const bool given = (y < 0 && edges.has_stretches(GridSide::south)) ||
-                           (y >= ny && edges.has_stretches(GridSide::north));
+        const bool given = (y < 0 && edges.has_segments(GridSide::south)) ||
+                           (y >= ny && edges.has_segments(GridSide::north));
         places_y_.push_back(
             {0, from.index, 1.0, from.mirrored ? -1.0 : 1.0, from.outside || given});
     }
@@ -93,13 +93,13 @@ void ShorePlanes::find_deep(const Water& water, const Grid& bed, WorkerPool& poo
         });
     };
     in_rows([&](int y) { find_full(y); });
-    copy_beyond(full);
+    copy_ghost_flags(full);
     in_rows([&](int y) { find_core(y); });
-    copy_beyond(core);
+    copy_ghost_flags(core);
     in_rows([&](int y) { find_inner(y); });
 }
 
-void ShorePlanes::take_means(Water& water, const Grid& bed, WorkerPool& pool) {
+void ShorePlanes::convert_to_means(Water& water, const Grid& bed, WorkerPool& pool) {
     find_deep(water, bed, pool);
     Water means = water;
     pool.for_ranges(ny_, [&](int begin, int end) {
@@ -129,9 +129,9 @@ void ShorePlanes::take_means(Water& water, const Grid& bed, WorkerPool& pool) {
     water = std::move(means);
 }
 
-ShorePlanes::Place ShorePlanes::at(int x, int y) const {
-    Place place = columns_[static_cast<std::size_t>(x + pad)];
-    const Place& row = places_y_[static_cast<std::size_t>(y + pad)];
+ShorePlanes::CellReference ShorePlanes::at(int x, int y) const {
+    CellReference place = columns_[static_cast<std::size_t>(x + pad)];
+    const CellReference& row = places_y_[static_cast<std::size_t>(y + pad)];
     place.y = row.y;
     place.sign_y = row.sign_y;
     place.outside = place.outside || row.outside ||
@@ -149,7 +149,7 @@ bool ShorePlanes::is_beside_outside(int x, int y) const {
            at(x, y + 1).outside;
 }
 
-bool ShorePlanes::is(Kind kind, const Place& place) const {
+bool ShorePlanes::is(Kind kind, const CellReference& place) const {
     return !place.outside && flags_[kind][flag_of(place.x, place.y)] != 0;
 }
 
@@ -159,7 +159,7 @@ ShorePlanes::Shape ShorePlanes::shape_of(const Value& value, int x, int y) const
     const double here = value(at(x, y));
     const auto along = [&](int dx, int dy) -> std::array<double, 2> {
         const auto ahead = [&](int sign) {
-            const Place there = at(x + sign * dx, y + sign * dy);
+            const CellReference there = at(x + sign * dx, y + sign * dy);
             return there.outside ? 0.0 : value(there) - here;
         };
         const double back = ahead(-1);
@@ -186,7 +186,7 @@ void ShorePlanes::find_planes(int y) {
         const double depth = water_->depth(x, y);
         if (!(depth > dry_depth) || at(x, y).outside) continue;
         Plane plane;
-        if (!extend(plane, x, y) || !take_own_level(plane, depth)) continue;
+        if (!extend(plane, x, y) || !fit_own_level(plane, depth)) continue;
         is_plane[x] = 1;
         row.outer.push_back(plane);
     }
@@ -201,11 +201,11 @@ void ShorePlanes::find_shore(int y) {
     std::uint8_t* is_shore = flags_of(shore, y);
     std::copy_n(flags_of(planed, y), nx_, is_shore);
     for (int dy = -band; dy <= band; ++dy) {
-        const Place& from = places_y_[static_cast<std::size_t>(y + dy + pad)];
+        const CellReference& from = places_y_[static_cast<std::size_t>(y + dy + pad)];
         if (from.outside || from.sign_y < 0.0) continue;
         for (const Plane& plane : rows_[slot(from.y)].outer) {
             for (int dx = -band; dx <= band; ++dx) {
-                const Place place = at(plane.x + dx, y);
+                const CellReference place = at(plane.x + dx, y);
                 if (place.sign_x < 0.0 || !is(core, place) || is_shore[place.x] != 0) continue;
                 if (is_beside_outside(place.x, y)) continue;
                 is_shore[place.x] = 1;
@@ -217,12 +217,12 @@ void ShorePlanes::find_shore(int y) {
     for (const Plane& plane : row.cells) row.slopes.push_back(slope_of(plane));
 }
 
-double ShorePlanes::surface(const Place& place) const {
+double ShorePlanes::surface(const CellReference& place) const {
     return water_->depth(place.x, place.y) + (*bed_)(place.x, place.y);
 }
 
-void ShorePlanes::put_bed(Plane& plane, int x, int y) const {
-    const auto bed = [&](const Place& place) { return (*bed_)(place.x, place.y); };
+void ShorePlanes::set_bed(Plane& plane, int x, int y) const {
+    const auto bed = [&](const CellReference& place) { return (*bed_)(place.x, place.y); };
     plane.x = x;
     plane.bed = bed(at(x, y));
     const Shape shape = shape_of(bed, x, y);
@@ -234,7 +234,7 @@ void ShorePlanes::put_bed(Plane& plane, int x, int y) const {
 
 bool ShorePlanes::is_resolved(int x, int y) const {
     const auto bed = [&](int at_x, int at_y) {
-        const Place place = at(at_x, at_y);
+        const CellReference place = at(at_x, at_y);
         return (*bed_)(place.x, place.y);
     };
     const auto is_smooth = [&](int cx, int cy) {
@@ -261,8 +261,8 @@ ShorePlanes::Plane ShorePlanes::plane_inside(int x, int y) const {
 
 ShorePlanes::Plane ShorePlanes::compute_inside(int x, int y) const {
     Plane plane;
-    put_bed(plane, x, y);
-    const auto of_surface = [&](const Place& place) { return surface(place); };
+    set_bed(plane, x, y);
+    const auto of_surface = [&](const CellReference& place) { return surface(place); };
     const auto take = [&](const cell_means::Linear& velocity, double& value, double& value_x,
                           double& value_y) {
         value = velocity.middle;
@@ -278,18 +278,20 @@ ShorePlanes::Plane ShorePlanes::compute_inside(int x, int y) const {
     const auto around = [&](const auto& value) {
         cell_means::Patch patch;
         for (std::size_t k = 0; k < patch.size(); ++k) {
-            const Place place =
+            const CellReference place =
                 at(x - 1 + static_cast<int>(k % 3), y - 1 + static_cast<int>(k / 3));
             patch[k] = value(place.outside ? at(x, y) : place);
         }
         return patch;
     };
     const cell_means::Patch depth =
-        around([&](const Place& place) { return water_->depth(place.x, place.y); });
-    const cell_means::Patch along_x_carried = around(
-        [&](const Place& place) { return place.sign_x * water_->velocity_x(place.x, place.y); });
-    const cell_means::Patch along_y_carried = around(
-        [&](const Place& place) { return place.sign_y * water_->velocity_y(place.x, place.y); });
+        around([&](const CellReference& place) { return water_->depth(place.x, place.y); });
+    const cell_means::Patch along_x_carried = around([&](const CellReference& place) {
+        return place.sign_x * water_->velocity_x(place.x, place.y);
+    });
+    const cell_means::Patch along_y_carried = around([&](const CellReference& place) {
+        return place.sign_y * water_->velocity_y(place.x, place.y);
+    });
     take(cell_means::velocity_of(depth, along_x_carried, steepest_), plane.u, plane.u_x, plane.u_y);
     take(cell_means::velocity_of(depth, along_y_carried, steepest_), plane.v, plane.v_x, plane.v_y);
     return plane;
@@ -310,7 +312,7 @@ bool ShorePlanes::extend(Plane& plane, int x, int y) const {
     int reach = 0;
     int inside = 0;
     const auto gives = [&](int dx, int dy) {
-        const Place place = at(x + dx, y + dy);
+        const CellReference place = at(x + dx, y + dy);
         return place.sign_x > 0.0 && place.sign_y > 0.0 && is(core, place);
     };
     while (inside == 0) {
@@ -320,14 +322,14 @@ bool ShorePlanes::extend(Plane& plane, int x, int y) const {
         }
     }
     if (is_beside_outside(x, y) || !is_resolved(x, y)) return false;
-    put_bed(plane, x, y);
+    set_bed(plane, x, y);
 
     Agreed bend_x;
     Agreed bend_y;
     Agreed twist;
     const auto add_bends = [&](int kx, int ky) {
         const auto level = [&](int dx, int dy) {
-            const Place place = at(kx + dx, ky + dy);
+            const CellReference place = at(kx + dx, ky + dy);
             return surface(place.outside ? at(kx, ky) : place);
         };
         const double here = level(0, 0);
@@ -344,7 +346,7 @@ bool ShorePlanes::extend(Plane& plane, int x, int y) const {
     double fastest = 0.0;  // as a front may be that comes from there
     const auto given_by = [&](int dx, int dy) -> Values {
         if (!gives(dx, dy)) return {};
-        const Place from = at(x + dx, y + dy);
+        const CellReference from = at(x + dx, y + dy);
         const Plane p = plane_inside(from.x, from.y);
         fastest = std::max(fastest, std::sqrt(p.u * p.u + p.v * p.v) +
                                         2.0 * std::sqrt(gravity_ * (p.level - p.bed)));
@@ -393,7 +395,7 @@ bool ShorePlanes::extend(Plane& plane, int x, int y) const {
 }
 
 /// The level from the cell's own depth, where that is the water that the plane has.
-bool ShorePlanes::take_own_level(Plane& plane, double depth) const {
+bool ShorePlanes::fit_own_level(Plane& plane, double depth) const {
     const double rise_x = plane.level_x - plane.bed_x;
     const double rise_y = plane.level_y - plane.bed_y;
     const double own = plane.bed + clipped_plane::depth_of_mean(depth, rise_x, rise_y);

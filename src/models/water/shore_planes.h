@@ -77,7 +77,7 @@ class ShorePlanes {
 
     /// Changes depths at the cells' middles to the means over them along shores, and gives cells
     /// that get water its velocity.
-    void take_means(Water& water, const Grid& bed, WorkerPool& pool);
+    void convert_to_means(Water& water, const Grid& bed, WorkerPool& pool);
 
     /// Faces toward the east, and toward the north, of row y; sorted by x. Beyond the grid's south
     /// edge: of row −1, the faces toward row 0.
@@ -128,7 +128,7 @@ class ShorePlanes {
         std::vector<Deficit> deficits;  ///< of the stages of this step
     };
     /// A cell, possibly one beyond an edge that stands for it.
-    struct Place {
+    struct CellReference {
         int x = 0;
         int y = 0;
         double sign_x = 1.0;
@@ -149,17 +149,17 @@ class ShorePlanes {
     static constexpr double dry_depth = finite_volume::dry_depth;
 
     [[nodiscard]] static std::size_t slot(int y) { return static_cast<std::size_t>(y + 1); }
-    [[nodiscard]] Place at(int x, int y) const;
+    [[nodiscard]] CellReference at(int x, int y) const;
     [[nodiscard]] std::size_t flag_of(int x, int y) const;
     [[nodiscard]] bool is_beside_outside(int x, int y) const;
-    [[nodiscard]] bool is(Kind kind, const Place& place) const;
+    [[nodiscard]] bool is(Kind kind, const CellReference& place) const;
     std::uint8_t* flags_of(Kind kind, int y) { return flags_[kind].data() + flag_of(0, y); }
     template <class Value>
     [[nodiscard]] Shape shape_of(const Value& value, int x, int y) const;
 
     void find_deep(const Water& water, const Grid& bed, WorkerPool& pool);
     void find_full(int y);
-    void copy_beyond(Kind kind);
+    void copy_ghost_flags(Kind kind);
     void find_core(int y);
     void find_inner(int y);
     void find_planes(int y);
@@ -168,16 +168,17 @@ class ShorePlanes {
     void add_deficits(int y, const StageOfStep& stage);
     static void merge_deficits(std::vector<Deficit>& deficits);
 
-    [[nodiscard]] double surface(const Place& place) const;
-    void put_bed(Plane& plane, int x, int y) const;
+    [[nodiscard]] double surface(const CellReference& place) const;
+    void set_bed(Plane& plane, int x, int y) const;
     [[nodiscard]] bool is_resolved(int x, int y) const;
     [[nodiscard]] Plane plane_inside(int x, int y) const;
     [[nodiscard]] Plane compute_inside(int x, int y) const;
     [[nodiscard]] static Slope slope_of(const Plane& plane);
     [[nodiscard]] bool extend(Plane& plane, int x, int y) const;
-    [[nodiscard]] bool take_own_level(Plane& plane, double depth) const;
-    [[nodiscard]] Plane plane_of(const Place& place) const;
-    [[nodiscard]] bool is_film(const Place& place, const Plane& own, const Plane& beside) const;
+    [[nodiscard]] bool fit_own_level(Plane& plane, double depth) const;
+    [[nodiscard]] Plane plane_of(const CellReference& place) const;
+    [[nodiscard]] bool is_film(const CellReference& place, const Plane& own,
+                               const Plane& beside) const;
     [[nodiscard]] static Side side_of(const Plane& plane, bool across_x, double sign, double bed,
                                       double bed_rise);
     [[nodiscard]] Face face_between(int x, int y, bool across_x) const;
@@ -188,8 +189,8 @@ class ShorePlanes {
     int ny_;
     double gravity_;
     double steepest_;
-    std::vector<Place> columns_;  // x only, from −pad on
-    std::vector<Place> places_y_;
+    std::vector<CellReference> columns_;  // x only, from −pad on
+    std::vector<CellReference> places_y_;
     std::array<std::vector<std::uint8_t>, 4> flags_;  // of each kind, with pad cells around
     std::vector<std::array<int, 2>> wet_;             // of each row: no water before, none from
     std::vector<Row> rows_;                           // from −1 on

@@ -36,10 +36,10 @@ class WaterEdges {
     WaterEdges(const WaterDomain& domain, int nx, int ny);
 
     /// Whether cells of that side differ from the side's own kind.
-    [[nodiscard]] bool has_stretches(GridSide side) const { return !kinds_[number(side)].empty(); }
+    [[nodiscard]] bool has_segments(GridSide side) const { return !kinds_[number(side)].empty(); }
     /// Whether water is given at that cell of a side.
     [[nodiscard]] bool flows(GridSide side, int cell) const {
-        return has_stretches(side) && kinds_[number(side)][static_cast<std::size_t>(cell)] >= 0;
+        return has_segments(side) && kinds_[number(side)][static_cast<std::size_t>(cell)] >= 0;
     }
     /// The kind of a cell of a side where it does not flow there.
     [[nodiscard]] EdgeKind kind(GridSide side, int cell) const;
@@ -54,8 +54,8 @@ class WaterEdges {
   private:
     static std::size_t number(GridSide side) { return static_cast<std::size_t>(side); }
 
-    static constexpr int wall_here = -1;
-    static constexpr int as_the_side = -2;
+    static constexpr int wall_cell = -1;
+    static constexpr int same_as_side = -2;
 
     const WaterDomain& domain_;
     bool any_flow_ = false;

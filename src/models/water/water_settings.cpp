@@ -62,12 +62,12 @@ void list_gauge(GaugeSettings& gauge, const std::string& path, KeyTable& table) 
                         "underscores; empty: gauge_1, gauge_2 …"});
     table.real_list(path + ".at", gauge.at, 0, 2,
                     {.unit = "m, or degrees",
-                     .range = {-largest_place, largest_place},
+                     .range = {-largest_coordinate, largest_coordinate},
                      .help = "[x, y] of the point, or of the left end of a line across the "
                              "stream, seen downstream"});
     table.real_list(path + ".to", gauge.to, 0, 2,
                     {.unit = "m, or degrees",
-                     .range = {-largest_place, largest_place},
+                     .range = {-largest_coordinate, largest_coordinate},
                      .help = "[x, y] of the line's right end: what passes the cells' faces along "
                              "the line is noted then; empty: a point"});
     table.choice(path + ".coordinates", gauge.coordinates,
@@ -131,7 +131,7 @@ void list_map(MapSettings& map, const std::string& path, KeyTable& table) {
 void list_region(RegionSettings& region, const std::string& path, KeyTable& table) {
     table.real_list(path + ".window", region.window, 0, 4,
                     {.unit = "m",
-                     .range = {-largest_place, largest_place},
+                     .range = {-largest_coordinate, largest_coordinate},
                      .help = "[west, south, east, north], from the grid's south-west corner: the "
                              "cells whose middles lie in it; empty: all"});
     table.word_or_real(path + ".depth", region.depth, {{"none", "water.level says it"}},

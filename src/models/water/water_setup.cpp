@@ -50,9 +50,9 @@ void check_edge(const EdgeSettings& edge, std::size_t number) {
 
 }  // namespace
 
-std::vector<EdgeStretch> stretches_of(const GullyParameters& parameters, const WaterDomain& domain,
-                                      int nx, int ny) {
-    std::vector<EdgeStretch> stretches;
+std::vector<EdgeSegment> edge_segments_of(const GullyParameters& parameters,
+                                          const WaterDomain& domain, int nx, int ny) {
+    std::vector<EdgeSegment> segments;
     for (std::size_t n = 0; n < parameters.edges.size(); ++n) {
         const EdgeSettings& edge = parameters.edges[n];
         check_edge(edge, n);
@@ -65,32 +65,32 @@ std::vector<EdgeStretch> stretches_of(const GullyParameters& parameters, const W
         }
         const double size = across_x ? domain.dy : domain.dx;
         const int count = across_x ? ny : nx;
-        EdgeStretch stretch;
-        stretch.side = edge.side;
-        stretch.kind = edge.kind;
-        stretch.depth = edge.depth;
-        stretch.first = first_from(edge.from, size, count);
-        stretch.last = (edge.to > 0.0 ? first_from(edge.to, size, count) : count) - 1;
-        if (stretch.first > stretch.last) {
+        EdgeSegment segment;
+        segment.side = edge.side;
+        segment.kind = edge.kind;
+        segment.depth = edge.depth;
+        segment.first = first_from(edge.from, size, count);
+        segment.last = (edge.to > 0.0 ? first_from(edge.to, size, count) : count) - 1;
+        if (segment.first > segment.last) {
             throw KeyError(
                 edge_key(n, edge.to > 0.0 ? "to" : "from"),
                 fmt::format("no middle of a cell lies between {:g} m and {:g} m of a "
                             "side of {:g} m",
                             edge.from, edge.to > 0.0 ? edge.to : size * count, size * count));
         }
-        stretch.times = edge.times.empty() ? std::vector{0.0} : edge.times;
-        stretch.values = edge.times.empty() ? std::vector{edge.value} : edge.values;
-        for (std::size_t k = 0; k < stretches.size(); ++k) {
-            const EdgeStretch& other = stretches[k];
-            if (other.side != stretch.side || other.last < stretch.first ||
-                stretch.last < other.first)
+        segment.times = edge.times.empty() ? std::vector{0.0} : edge.times;
+        segment.values = edge.times.empty() ? std::vector{edge.value} : edge.values;
+        for (std::size_t k = 0; k < segments.size(); ++k) {
+            const EdgeSegment& other = segments[k];
+            if (other.side != segment.side || other.last < segment.first ||
+                segment.last < other.first)
                 continue;
             throw KeyError(edge_key(n, "from"),
                            fmt::format("this stretch overlaps that of edge.{}; part them", k));
         }
-        stretches.push_back(std::move(stretch));
+        segments.push_back(std::move(segment));
     }
-    return stretches;
+    return segments;
 }
 
 void fill_regions(const GullyParameters& parameters, const WaterDomain& domain, const Grid& bed,

@@ -9,8 +9,8 @@ namespace fumon {
 
 /// The stretches of edges of a grid that the parameters name, in the order written. Throws KeyError
 /// where one lies outside its side, crosses an axis that is periodic, or has a table that is none.
-std::vector<EdgeStretch> stretches_of(const GullyParameters& parameters, const WaterDomain& domain,
-                                      int nx, int ny);
+std::vector<EdgeSegment> edge_segments_of(const GullyParameters& parameters,
+                                          const WaterDomain& domain, int nx, int ny);
 
 /// Puts the water of the regions that the parameters name over what is there. Throws KeyError where
 /// one has both depth and level, or neither.

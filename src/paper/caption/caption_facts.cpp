@@ -102,26 +102,26 @@ std::string CaptionFacts::sentence(const std::vector<const Fact*>& facts) {
 }
 
 std::string CaptionFacts::shared() const {
-    std::vector<const Fact*> told;
+    std::vector<const Fact*> listed;
     if (!runs_.empty()) {
         for (const Fact& fact : runs_.front()) {
-            if (!fact.usual && is_shared(fact)) told.push_back(&fact);
+            if (!fact.usual && is_shared(fact)) listed.push_back(&fact);
         }
     }
-    return sentence(told);
+    return sentence(listed);
 }
 
 std::string CaptionFacts::own(std::size_t run) const {
-    std::vector<const Fact*> told;
+    std::vector<const Fact*> listed;
     for (const Fact& fact : runs_[run]) {
         if (is_shared(fact)) continue;
         const bool differs = std::ranges::any_of(runs_, [&](const Facts& facts) {
             const Fact* other = find_by(facts, &Fact::key, fact.key);
             return other != nullptr && other->text != fact.text;
         });
-        if (differs || !fact.usual) told.push_back(&fact);
+        if (differs || !fact.usual) listed.push_back(&fact);
     }
-    return sentence(told);
+    return sentence(listed);
 }
 
 }  // namespace fumon

@@ -38,7 +38,7 @@ constexpr const char* manifest_name = "job.json";
 
 /// What lies beside a run's folder while a program works on it.
 constexpr std::string_view lock_end = ".lock";
-constexpr std::string_view former_end = ".former";
+constexpr std::string_view previous_ending = ".former";
 
 /// What lies in the folder of a stored run.
 constexpr std::array<const char*, 4> stored_files{"measurements.csv", "avalanches.csv", "fields.nc",
@@ -46,7 +46,7 @@ constexpr std::array<const char*, 4> stored_files{"measurements.csv", "avalanche
 
 /// Deletes the files of a stored run and its folder. What else lies there stays, and the folder
 /// with it.
-void take_away(const fs::path& folder) {
+void remove_folder(const fs::path& folder) {
     std::error_code fault;
     if (fs::is_symlink(folder, fault)) return;
     for (const char* name : stored_files) {
@@ -167,11 +167,12 @@ Snapshot RunStore::snapshot(const StoredRun& run, std::int64_t step) const {
 
 void RunStore::clear_leftovers(const StoredRun& run) const {
     std::error_code fault;
-    if (!fs::exists(beside(run, lock_end), fault) && !fs::exists(beside(run, former_end), fault))
+    if (!fs::exists(beside(run, lock_end), fault) &&
+        !fs::exists(beside(run, previous_ending), fault))
         return;
     try {
         const FileLock lock(beside(run, lock_end));  // whose end takes the file away
-        if (lock.held()) take_away(beside(run, former_end));
+        if (lock.held()) remove_folder(beside(run, previous_ending));
     } catch (const Error&) {
         // a store that may only be read keeps them
     }
@@ -191,9 +192,9 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
     wanted.scene.output.fields_at.assign(wanted.steps.begin(), wanted.steps.end());
 
     const fs::path made = beside(run, ".part");
-    for (const fs::path& folder : {place(run), made, beside(run, former_end)})
+    for (const fs::path& folder : {place(run), made, beside(run, previous_ending)})
         refuse_other_files(folder);
-    take_away(made);  // what a killed program may have left
+    remove_folder(made);  // what a killed program may have left
     make_folder(made);
     try {
         PreparedRun prepared = prepare_run(wanted.scene, threads);
@@ -205,7 +206,7 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
             {RecordPaths{made / "measurements.csv", made / "avalanches.csv", made / "fields.nc"},
              resolved_scene(prepared.scene, prepared.initial.inputs)});
         if (!simulate(prepared, recorder, record, cell_steps)) {
-            take_away(made);
+            remove_folder(made);
             return Attempt::interrupted;
         }
         record.state = hex(state_hash(*prepared.model));
@@ -213,18 +214,18 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
         write_manifest(made, wanted, record, outline_json(first));
         put(made, run);
     } catch (...) {
-        take_away(made);
+        remove_folder(made);
         throw;
     }
     return Attempt::done;
 }
 
 void RunStore::put(const fs::path& made, const StoredRun& run) const {
-    const fs::path former = beside(run, former_end);
-    take_away(former);
-    if (fs::exists(place(run))) move_to(place(run), former);
+    const fs::path previous = beside(run, previous_ending);
+    remove_folder(previous);
+    if (fs::exists(place(run))) move_to(place(run), previous);
     move_to(made, place(run));
-    take_away(former);
+    remove_folder(previous);
 }
 
 }  // namespace fumon

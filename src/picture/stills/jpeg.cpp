@@ -29,7 +29,7 @@ constexpr std::size_t segment_size = 65533;  // bytes of what a segment holds
 constexpr std::size_t most_jpeg_pixels = std::size_t{1} << 28;
 constexpr std::uint8_t white_ground = 255;
 
-void put_big_endian(std::string& bytes, std::size_t number) {
+void append_big_endian(std::string& bytes, std::size_t number) {
     for (int shift = 24; shift >= 0; shift -= 8)
         bytes += static_cast<char>(number >> static_cast<unsigned>(shift) & 0xFFU);
 }
@@ -52,8 +52,8 @@ std::vector<std::string> segments_of(const Image& image, double dots_per_inch,
     constexpr std::size_t piece = segment_size - extension_head.size() - guid_size - 8;
     for (std::size_t at = 0; at < xmp.extension.size(); at += piece) {
         std::string segment = std::string(extension_head) + xmp.guid;
-        put_big_endian(segment, xmp.extension.size());
-        put_big_endian(segment, at);
+        append_big_endian(segment, xmp.extension.size());
+        append_big_endian(segment, at);
         segments.push_back(segment + xmp.extension.substr(at, piece));
     }
     return segments;
@@ -185,7 +185,7 @@ std::optional<std::string> extension_in(const std::vector<std::string_view>& seg
 std::vector<std::uint8_t> encode_jpeg(const Image& image, int quality, double dots_per_inch,
                                       const PictureText& texts) {
     check_sides(image, longest_jpeg_side, "JPEG");
-    const Image opaque = image.transparent() ? laid_on(image, white_ground) : Image();
+    const Image opaque = image.transparent() ? composited_on(image, white_ground) : Image();
     const Image& shown = image.transparent() ? opaque : image;
     const std::vector<std::string> segments = segments_of(image, dots_per_inch, texts);
     constexpr double largest_density = 65535.0;

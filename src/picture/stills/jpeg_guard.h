@@ -22,20 +22,20 @@ struct JpegFailure {
 
     explicit JpegFailure(bool strict_) : strict(strict_) {
         jpeg_std_error(&manager);
-        manager.error_exit = give_up;
+        manager.error_exit = exit_on_error;
         manager.emit_message = warn;
         manager.output_message = [](j_common_ptr /*jpeg*/) {};
     }
 
   private:
-    [[noreturn]] static void give_up(j_common_ptr jpeg) {
+    [[noreturn]] static void exit_on_error(j_common_ptr jpeg) {
         auto* failure = reinterpret_cast<JpegFailure*>(jpeg->err);
         failure->manager.format_message(jpeg, failure->message.data());
         failure->out_of_memory = failure->manager.msg_code == JERR_OUT_OF_MEMORY;
         std::longjmp(failure->back, 1);  // NOLINT(cert-err52-cpp)
     }
     static void warn(j_common_ptr jpeg, int level) {
-        if (level < 0 && reinterpret_cast<JpegFailure*>(jpeg->err)->strict) give_up(jpeg);
+        if (level < 0 && reinterpret_cast<JpegFailure*>(jpeg->err)->strict) exit_on_error(jpeg);
     }
 };
 

@@ -120,7 +120,7 @@ struct Channels {
 
 Channels channels_of(const Image& image, const std::string& cmyk_profile) {
     if (!cmyk_profile.empty()) {
-        const Image opaque = image.transparent() ? laid_on(image, paper_white) : Image();
+        const Image opaque = image.transparent() ? composited_on(image, paper_white) : Image();
         return {4, cmyk_of(image.transparent() ? opaque : image, cmyk_profile)};
     }
     if (!image.transparent()) return {3, image.rgb};
@@ -238,22 +238,22 @@ Image decode_tiff(std::string_view bytes, const std::string& name) {
         refuse_damaged_tiff(name, memory);
     std::uint16_t extra = 0;
     const std::uint16_t* kinds = nullptr;
-    const bool seen_through =
+    const bool has_transparency =
         TIFFGetField(tiff.get(), TIFFTAG_EXTRASAMPLES, &extra, &kinds) == 1 && extra > 0 &&
         (kinds[0] == EXTRASAMPLE_UNASSALPHA || kinds[0] == EXTRASAMPLE_ASSOCALPHA);
     Image image(static_cast<int>(width), static_cast<int>(height));
-    if (seen_through) image.alpha.resize(pixels);
+    if (has_transparency) image.alpha.resize(pixels);
     for (std::size_t i = 0; i < pixels; ++i) {
         const std::uint32_t alpha = TIFFGetA(rgba[i]);
         const auto whole = [&](std::uint32_t level) {  // libtiff hands them out times the opacity
             const std::uint32_t value =
-                seen_through && alpha > 0 ? (level * 255U + alpha / 2U) / alpha : level;
+                has_transparency && alpha > 0 ? (level * 255U + alpha / 2U) / alpha : level;
             return static_cast<std::uint8_t>(std::min(value, 255U));
         };
         image.rgb[3 * i] = whole(TIFFGetR(rgba[i]));
         image.rgb[3 * i + 1] = whole(TIFFGetG(rgba[i]));
         image.rgb[3 * i + 2] = whole(TIFFGetB(rgba[i]));
-        if (seen_through) image.alpha[i] = static_cast<std::uint8_t>(alpha);
+        if (has_transparency) image.alpha[i] = static_cast<std::uint8_t>(alpha);
     }
     return image;
 }

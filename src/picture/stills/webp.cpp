@@ -29,7 +29,7 @@ constexpr unsigned has_alpha = 0x10;
 constexpr unsigned has_exif = 0x08;
 constexpr unsigned has_xmp = 0x04;
 
-void put_little_endian(std::string& bytes, std::size_t number, int count) {
+void append_little_endian(std::string& bytes, std::size_t number, int count) {
     for (; count > 0; --count, number >>= 8U) bytes += static_cast<char>(number & 0xFFU);
 }
 
@@ -40,9 +40,9 @@ std::size_t little_endian(std::string_view bytes) {
     return number;
 }
 
-void put_chunk(std::string& bytes, std::string_view name, std::string_view content) {
+void append_chunk(std::string& bytes, std::string_view name, std::string_view content) {
     bytes += name;
-    put_little_endian(bytes, content.size(), 4);
+    append_little_endian(bytes, content.size(), 4);
     bytes += content;
     if (content.size() % 2 != 0) bytes += '\0';
 }
@@ -144,19 +144,19 @@ std::vector<std::uint8_t> encode_webp(const Image& image, bool lossless, int qua
     const std::string bare = bare_file(image, lossless, quality);
     std::string content = "WEBP";
     std::string flags_and_size;
-    put_little_endian(
+    append_little_endian(
         flags_and_size,
         has_exif | (texts.empty() ? 0U : has_xmp) | (image.transparent() ? has_alpha : 0U), 4);
-    put_little_endian(flags_and_size, static_cast<std::size_t>(image.width) - 1, 3);
-    put_little_endian(flags_and_size, static_cast<std::size_t>(image.height) - 1, 3);
-    put_chunk(content, extended, flags_and_size);
+    append_little_endian(flags_and_size, static_cast<std::size_t>(image.width) - 1, 3);
+    append_little_endian(flags_and_size, static_cast<std::size_t>(image.height) - 1, 3);
+    append_chunk(content, extended, flags_and_size);
     for (const Chunk& chunk : chunks_of(bare, "a picture")) {
-        if (chunk.name != extended) put_chunk(content, chunk.name, chunk.content);
+        if (chunk.name != extended) append_chunk(content, chunk.name, chunk.content);
     }
-    put_chunk(content, "EXIF", exif_block(dots_per_inch, image.width, image.height));
-    if (!texts.empty()) put_chunk(content, "XMP ", xmp_packet(texts));
+    append_chunk(content, "EXIF", exif_block(dots_per_inch, image.width, image.height));
+    if (!texts.empty()) append_chunk(content, "XMP ", xmp_packet(texts));
     std::string file = "RIFF";
-    put_little_endian(file, content.size(), 4);
+    append_little_endian(file, content.size(), 4);
     file += content;
     return {file.begin(), file.end()};
 }

@@ -5,7 +5,7 @@
 
 #include "base/elementary_angle.h"
 #include "base/grid.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 #include "base/worker_pool.h"
 #include "render/air/streamlines.h"
 
@@ -41,10 +41,10 @@ void stroke(Field<float>& cover, glm::dvec2 from, glm::dvec2 to, double width, d
     const double reach = 0.5 * width + 0.5;
     const auto first = [&](double a, double b) {
         constexpr int most = 1 << 30;
-        return whole_within(std::floor(std::min(a, b) - reach), 0, most);
+        return truncated_within(std::floor(std::min(a, b) - reach), 0, most);
     };
     const auto last = [&](double a, double b, int size) {
-        return whole_within(std::ceil(std::max(a, b) + reach), -1, size - 1);
+        return truncated_within(std::ceil(std::max(a, b) + reach), -1, size - 1);
     };
     for (int y = first(from.y, to.y); y <= last(from.y, to.y, cover.ny()); ++y) {
         for (int x = first(from.x, to.x); x <= last(from.x, to.x, cover.nx()); ++x) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/find_named.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 
 namespace fumon {
 
@@ -31,7 +31,7 @@ double SectionAir::between(double x, double z, Node node) const {
     const double column = x / section_.dx - nx * std::floor(x / (nx * section_.dx));
     const double west_column = std::floor(column);
     // Rounding may leave a place just west of the section's start.
-    const auto west = static_cast<int>((whole_of(west_column) % nx + nx) % nx);
+    const auto west = static_cast<int>((truncated(west_column) % nx + nx) % nx);
     const double east_share = column - west_column;
     return (1.0 - east_share) * node(west, z / section_.dz) +
            east_share * node((west + 1) % nx, z / section_.dz);
@@ -50,7 +50,7 @@ const SnapshotField* SectionAir::find(std::string_view name) const {
 double SectionAir::value(const SnapshotField& field, double x, double z) const {
     return between(x, z, [&](int column, double row) {
         const double inside = std::clamp(row, 0.0, field.values.ny() - 1.0);
-        const int below = whole_within(inside, 0, field.values.ny() - 1);
+        const int below = truncated_within(inside, 0, field.values.ny() - 1);
         const int above = std::min(below + 1, field.values.ny() - 1);
         return std::lerp(field.values(column, below), field.values(column, above), inside - below);
     });
@@ -61,7 +61,7 @@ double SectionAir::value_of_air(const SnapshotField& field, double x, double z) 
         const double top = field.values.ny() - 1.0;
         const double lowest = std::min<double>(lowest_in_air(column), top);
         const double inside = std::clamp(row, lowest, top);
-        const int below = whole_within(inside, 0, field.values.ny() - 1);
+        const int below = truncated_within(inside, 0, field.values.ny() - 1);
         const int above = std::min(below + 1, field.values.ny() - 1);
         return std::lerp(field.values(column, below), field.values(column, above), inside - below);
     });
@@ -70,7 +70,7 @@ double SectionAir::value_of_air(const SnapshotField& field, double x, double z) 
 int SectionAir::lowest_in_air(int column) const {
     const double bed = snapshot_.bed(column, 0) * snapshot_.scale.height_unit;
     constexpr int most = 1 << 30;
-    return whole_within(std::floor(bed / section_.dz + at_the_bed), -1, most) + 1;
+    return truncated_within(std::floor(bed / section_.dz + at_the_bed), -1, most) + 1;
 }
 
 }  // namespace fumon

@@ -7,7 +7,7 @@
 
 #include "base/elementary_angle.h"
 #include "base/error.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 
 namespace fumon {
 
@@ -56,10 +56,10 @@ class LinePoints {
 
   private:
     [[nodiscard]] int column_of(glm::dvec2 at) const {
-        return whole_within(at.x / box_, 0, columns_ - 1);
+        return truncated_within(at.x / box_, 0, columns_ - 1);
     }
     [[nodiscard]] int row_of(glm::dvec2 at) const {
-        return whole_within(at.y / box_, 0, rows_ - 1);
+        return truncated_within(at.y / box_, 0, rows_ - 1);
     }
     [[nodiscard]] std::size_t index(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +

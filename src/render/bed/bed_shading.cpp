@@ -239,7 +239,7 @@ Field<float> BedShading::ranged_values(const Snapshot& snapshot, const Snapshot&
         range_ = frame_colour_range(view_.look, snapshot, values, range_, keeps_range_);
     }
     const Mask without = uncoloured_cells(view_.look.colour_by, snapshot);
-    if (!without.empty()) continue_outward(values, without, static_cast<float>(range_.low));
+    if (!without.empty()) extrapolate_outward(values, without, static_cast<float>(range_.low));
     return values;
 }
 

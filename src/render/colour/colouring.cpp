@@ -131,10 +131,10 @@ std::pair<double, double> colour_range(const LookSettings& look, const Snapshot&
 }
 
 FrameColourRange frame_colour_range(const LookSettings& look, const Snapshot& snapshot,
-                                    const Field<float>& values, const FrameColourRange& former,
+                                    const Field<float>& values, const FrameColourRange& previous,
                                     bool keeps) {
-    FrameColourRange drawn = former;
-    if (!former.kept) {
+    FrameColourRange drawn = previous;
+    if (!previous.kept) {
         const auto [low, high] = colour_range(look, snapshot, values);
         drawn = {low, high};
     }
@@ -146,7 +146,7 @@ FrameColourRange frame_colour_range(const LookSettings& look, const Snapshot& sn
     const bool differ = high > low;
     drawn.values_below = differ && low < drawn.low;
     drawn.values_above = differ && high > drawn.high;
-    drawn.kept = former.kept || (keeps && differ && ranges_by_values(look));
+    drawn.kept = previous.kept || (keeps && differ && ranges_by_values(look));
     return drawn;
 }
 

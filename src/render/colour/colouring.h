@@ -56,7 +56,7 @@ struct FrameColourRange {
 /// has its own, without a word on values beyond. `keeps`: later pictures take the range of this
 /// one, if its values differ.
 FrameColourRange frame_colour_range(const LookSettings& look, const Snapshot& snapshot,
-                                    const Field<float>& values, const FrameColourRange& former,
+                                    const Field<float>& values, const FrameColourRange& previous,
                                     bool keeps);
 
 /// The look's palette, the way round that it wants. Throws as read_palette.

@@ -203,7 +203,7 @@ void keep_within(const Field<float>& coarse, const Field<float>& share, Field<fl
 }
 
 /// Of fine cells in each coarse one about a wall.
-void take_means(const Field<float>& fine, const Field<float>& share, Field<float>& coarse) {
+void convert_to_means(const Field<float>& fine, const Field<float>& share, Field<float>& coarse) {
     const int refinement = fine.nx() / coarse.nx();
     for (int y = 0; y < coarse.ny(); ++y) {
         for (int x = 0; x < coarse.nx(); ++x) {
@@ -238,7 +238,7 @@ std::optional<StraightWalls> with_straight_walls(const Field<float>& coarse,
     StraightWalls straight{edges_of(coarse, share, pool), coarse, fine};
     keep_within(coarse, share, straight.fine, pool);
     straight.fine = averaged_along(straight.edges, averaged, straight.fine, pool);
-    take_means(straight.fine, share, straight.coarse);
+    convert_to_means(straight.fine, share, straight.coarse);
     return straight;
 }
 

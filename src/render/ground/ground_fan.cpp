@@ -12,7 +12,7 @@
 #include "base/elementary.h"
 #include "base/elementary_angle.h"
 #include "base/error.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 #include "base/worker_pool.h"
 #include "render/ground/ground_vectors.h"
 #include "render/ground/wall_vertices.h"
@@ -66,7 +66,8 @@ std::vector<Ring> rings_of(const GroundFan& fan, int levels) {
         const double texel = std::ldexp(fan.cell, level);
         const double spacing =
             std::max(min_spacing_texels * texel, min_spacing_rays * radius * between_rays);
-        const int count = whole_within(std::ceil((to - from) / spacing), 1, max_samples_per_ring);
+        const int count =
+            truncated_within(std::ceil((to - from) / spacing), 1, max_samples_per_ring);
         all.push_back(ring_of(level, from, to, count));
     }
     return all;
@@ -319,7 +320,7 @@ std::vector<bool> visible_through_lens(const GroundFan& fan, const GroundMesh& m
         const glm::vec3& position = mesh.positions[ring];
         const double range = elementary::hypot(position.x, position.y);
         const double aside = std::ceil(fan.lens / (range * between_rays));
-        const auto reach = whole_within(aside, std::size_t{0}, pairs);
+        const auto reach = truncated_within(aside, std::size_t{0}, pairs);
         for (std::size_t k = 0; k < pairs; ++k) {
             const auto first = lower.begin() + static_cast<std::ptrdiff_t>(k - std::min(k, reach));
             const auto last =

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/grid.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 #include "render/view/ground_tiles.h"
 
 namespace fumon {
@@ -47,10 +47,10 @@ class HeightPyramid {
         float share;  ///< of the second
     };
     static LinearTaps linear_taps(double periods, int count) {
-        const double whole = static_cast<double>(whole_of(periods));
+        const double whole = static_cast<double>(truncated(periods));
         double position = (periods - whole) * count - 0.5;
         if (position < 0.0) position += count;
-        const int first = whole_within(position, 0, count - 1);
+        const int first = truncated_within(position, 0, count - 1);
         return {first, first + 1 == count ? 0 : first + 1, static_cast<float>(position - first)};
     }
 

@@ -8,7 +8,7 @@
 #include "base/elementary.h"
 #include "base/elementary_power.h"
 #include "base/snapshot_lookup.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 #include "render/frame/view_uniforms.h"
 #include "render/view/bilinear_height.h"
 #include "render/view/tile_warp_waves.h"
@@ -114,7 +114,7 @@ void PlantLayer::set_bed(const Snapshot& snapshot, const Field<float>& z, bool r
         for (float share = 0.5F; level + 1 < rank_levels && plant.rank < share; share *= 0.5F)
             ++level;
         const auto square = [](double position, double extent) {
-            return whole_within(position / extent * squares_per_side, 0, squares_per_side - 1);
+            return truncated_within(position / extent * squares_per_side, 0, squares_per_side - 1);
         };
         const int number = square(plant.position.y, block_.width_y) * squares_per_side +
                            square(plant.position.x, block_.width_x);

@@ -185,8 +185,8 @@ std::uint8_t byte_of(float share) {
 }  // namespace
 
 RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int refinement,
-                             const DrawnOrigin& origin, const SunDirection& sun, const Way& way,
-                             WorkerPool& pool) {
+                             const DrawnOrigin& origin, const SunDirection& sun,
+                             const HorizontalDirection& way, WorkerPool& pool) {
     DisplayBed coarse = display_bed(snapshot, block, 1);
     coarse.z = rolled(coarse.z, origin.east, origin.north);
     DisplayBed wide;

@@ -35,7 +35,7 @@ inline constexpr ShareBounds sun_bounds{-15.0F, 16.0F};
 /// shadow falls at 10 to 15 degrees behind crests. Independent of the pool's size, and the same for
 /// a bed shifted over its edges but for rounding.
 RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int refinement,
-                             const DrawnOrigin& origin, const SunDirection& sun, const Way& way,
-                             WorkerPool& pool);
+                             const DrawnOrigin& origin, const SunDirection& sun,
+                             const HorizontalDirection& way, WorkerPool& pool);
 
 }  // namespace fumon

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/grid.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 #include "render/light/light_vectors.h"
 
 namespace fumon {
@@ -74,8 +74,8 @@ int rows_before(const Field<float>& heights, const light_vectors::ShadowStep& st
     const float relief = high - low;
     // Twice, since neighbouring rays mix what they carry.
     if (2.0F * relief >= most * step.lower_drop) return most_periods * heights.ny();
-    return whole_within(static_cast<double>(2.0F * relief / step.lower_drop), 0,
-                        most_periods * heights.ny()) +
+    return truncated_within(static_cast<double>(2.0F * relief / step.lower_drop), 0,
+                            most_periods * heights.ny()) +
            2;
 }
 

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/whole_number.h"
+#include "base/truncation.h"
 #include "base/worker_pool.h"
 #include "render/view/bilinear_height.h"
 
@@ -72,8 +72,8 @@ glm::dvec3 SurfacePositionLayers::surface_normal(const glm::dvec2& share) const 
     };
     const double column = share.x * z.nx() - 0.5;
     const double row = share.y * z.ny() - 0.5;
-    const long long i = whole_of(std::floor(column));
-    const long long j = whole_of(std::floor(row));
+    const long long i = truncated(std::floor(column));
+    const long long j = truncated(std::floor(row));
     const double s = column - static_cast<double>(i);
     const double t = row - static_cast<double>(j);
     const auto slope = [&](long long a, long long b) {
@@ -168,7 +168,7 @@ void SurfacePositionLayers::put(std::size_t pixel, const SurfacePoint& seen) {
         }
     }
     const auto cell = [](double share, int count) {
-        return whole_within(share * count, 0, count - 1);
+        return truncated_within(share * count, 0, count - 1);
     };
     for (std::size_t k = 0; k < fields_.size(); ++k) {
         float& value = layers_[first_field + k].values[pixel];

@@ -8,7 +8,7 @@
 #include "base/elementary.h"
 #include "base/random.h"
 #include "base/rounding.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 
 namespace fumon {
 
@@ -140,7 +140,7 @@ double ring_drop_rate(double rate) {
 std::vector<FallenDrop> fallen_drops(double time, double rate) {
     constexpr std::uint64_t any_seed = 1;
     const double a_slot = ring_drop_rate(rate) / ring_layers * ring_tile_m * ring_tile_m * slot;
-    const auto last = std::int64_t{whole_of(std::floor(time / slot))};
+    const auto last = std::int64_t{truncated(std::floor(time / slot))};
     std::vector<FallenDrop> drops;
     for (std::int64_t number = last - slots_per_lifetime; number <= last; ++number) {
         RandomStream stream(any_seed, 0, number, Purpose::raindrops);

@@ -26,9 +26,9 @@ constexpr float no_shadow = 0.2679F;    // tan 15°
 constexpr double least_leaving = 0.02;  // of the flux over level ground
 
 /// The wind of the snapshot's step where it tells one; else the prevailing one.
-Way blowing_way(const Snapshot& snapshot) {
+HorizontalDirection blowing_way(const Snapshot& snapshot) {
     const auto from = number_of(snapshot, "wind_from");
-    if (!from) return prevailing_way(snapshot);
+    if (!from) return prevailing_direction(snapshot);
     return {-elementary::sin(*from * degree), -elementary::cos(*from * degree)};
 }
 

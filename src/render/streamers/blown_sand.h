@@ -28,11 +28,11 @@ struct Brink {
 
 /// The sand that the wind blows over a bed, as streamers show it. Lengths are the block's.
 struct BlownSand {
-    Way way;              ///< where the wind of the step blows to
-    double metre = 1.0;   ///< without metres what a cell is 2.5 of
-    double length = 0.0;  ///< of plumes
-    double travel = 0.0;  ///< downwind in a step
-    double width = 0.0;   ///< of a cell, across the wind
+    HorizontalDirection way;  ///< where the wind of the step blows to
+    double metre = 1.0;       ///< without metres what a cell is 2.5 of
+    double length = 0.0;      ///< of plumes
+    double travel = 0.0;      ///< downwind in a step
+    double width = 0.0;       ///< of a cell, across the wind
     std::vector<Brink> brinks;
     Field<float> z;     ///< of cells
     Field<float> open;  ///< flux where the wind reaches the ground

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/elementary.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 #include "render/streamers/smoothstep.h"
 #include "render/view/bilinear_height.h"
 #include "render/view/tile_warp_waves.h"
@@ -59,8 +59,8 @@ class Chance {
 /// 0 … 1, smooth, one feature to a unit of length.
 double noise(double x, double y, std::uint32_t of) {
     const auto at = [&](double i, double j) {
-        return static_cast<double>(mixed(static_cast<std::uint32_t>(whole_of(i)),
-                                         static_cast<std::uint32_t>(whole_of(j)), of)) *
+        return static_cast<double>(mixed(static_cast<std::uint32_t>(truncated(i)),
+                                         static_cast<std::uint32_t>(truncated(j)), of)) *
                0x1p-32;
     };
     const double i = std::floor(x);
@@ -173,8 +173,8 @@ class PuffEmitter {
         const double range = glm::length(root);
         if (range > reach) return;
         if (!in_frustum(camera_, root + 0.5 * length * glm::dvec3(way_, 0.0), 0.8 * length)) return;
-        const int all = whole_within(std::round(puffs_per_width * sand_.width / length),
-                                     fewest_puffs, most_puffs);
+        const int all = truncated_within(std::round(puffs_per_width * sand_.width / length),
+                                         fewest_puffs, most_puffs);
         const double pixels = 0.03 * length / (range * pixel_);
         const double share =
             std::clamp(std::max(pixels / sharp_pixels, least_share / all), 0.0, 1.0);
@@ -191,7 +191,7 @@ class PuffEmitter {
             const double turns = gone_ / length + own(0);
             const double whole = std::floor(turns);
             const double gone = turns - whole;
-            const Chance chance(brink.id, static_cast<std::uint32_t>(i), whole_of(whole) + 1);
+            const Chance chance(brink.id, static_cast<std::uint32_t>(i), truncated(whole) + 1);
             const double left = whole - own(0);  // the brink, in plume lengths of wind
             const double across = along_brink + (chance(0) - 0.5) * sand_.width / length;
             const double gust = 0.62 * noise(0.35 * across, 0.5 * left, 1U) +
@@ -233,8 +233,9 @@ class PuffEmitter {
         const double each = cell.x * cell.y / (wisp_area * sand_.metre * sand_.metre);
         const glm::dvec2 eye = ground_.copies.bed_position_at(glm::dvec2(camera_.eye)) - origin;
         const auto range = [&](double at, double size, int count) {
-            return std::pair(whole_within(std::floor((at - 1.3 * reach) / size), 0, count),
-                             whole_within(std::floor((at + 1.3 * reach) / size), -1, count - 1));
+            return std::pair(
+                truncated_within(std::floor((at - 1.3 * reach) / size), 0, count),
+                truncated_within(std::floor((at + 1.3 * reach) / size), -1, count - 1));
         };
         const auto [west, east] = range(eye.x, cell.x, nx);
         const auto [south, north] = range(eye.y, cell.y, ny);
@@ -257,7 +258,7 @@ class PuffEmitter {
         const double turns = gone_ / (wisp_path * metre) + own(0);
         const double whole = std::floor(turns);
         const double gone = turns - whole;
-        const Chance chance(id, i, whole_of(whole) + 7);
+        const Chance chance(id, i, truncated(whole) + 7);
         const glm::dvec2 root = cell * (number + glm::dvec2(chance(0), chance(1)));
         // Families of them come and go, over all copies of the bed as over one ground.
         const glm::dvec2 there = origin + root;

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "base/grid.h"
-#include "base/whole_number.h"
+#include "base/truncation.h"
 
 namespace fumon {
 
@@ -22,8 +22,8 @@ Number bilinear_height(const Field<Number>& z, const glm::dvec2& share, bool rep
         const double cell = at * count - 0.5;
         const double low = std::floor(cell);
         const auto number = [&](double value) {
-            if (!repeats) return whole_within(value, 0, count - 1);
-            return static_cast<int>((whole_of(value) % count + count) % count);
+            if (!repeats) return truncated_within(value, 0, count - 1);
+            return static_cast<int>((truncated(value) % count + count) % count);
         };
         return Split{number(low), number(low + 1.0), static_cast<Number>(cell - low)};
     };

@@ -19,7 +19,7 @@ DisplayBed display_bed(const Snapshot& snapshot, const Block& block, int refinem
                    [&](double height) { return static_cast<float>(block.z(height)); });
     DisplayBed shown;
     if (!snapshot.nodata.empty()) {
-        continue_outward(z, snapshot.nodata, static_cast<float>(block.base));
+        extrapolate_outward(z, snapshot.nodata, static_cast<float>(block.base));
         shown.nodata = refined(snapshot.nodata, refinement);
     }
     shown.z = refined(z, refinement);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "base/whole_number.h"
+#include "base/truncation.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 
@@ -28,7 +28,7 @@ inline DrawnOrigin origin_around(const Camera& camera, const Block& block, int n
     const auto first_of = [&](double position, double extent, int count) {
         const double share = position / extent + 0.5;
         const double within = (share - std::floor(share)) * count;
-        const int cell = whole_within(std::floor(within + cell_boundary_offset), 0, count);
+        const int cell = truncated_within(std::floor(within + cell_boundary_offset), 0, count);
         return ((cell - count / 2) % count + count) % count;
     };
     DrawnOrigin origin;

@@ -166,7 +166,7 @@ double off_lattice(double azimuth, const Block& block) {
 void set_framing(Block& block, Framing framing, const Snapshot& first) {
     if (framing == Framing::block) return;
     const Relief relief = relief_of(first, block);
-    const Way way = prevailing_way(first);
+    const HorizontalDirection way = prevailing_direction(first);
     const double downwind = elementary::atan2(way.x, way.y) / degree;
     const double height = std::max(relief.high - relief.low, 0.02 * relief.length);
     struct Stand {

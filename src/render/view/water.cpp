@@ -163,11 +163,11 @@ Field<float> shown_depths(const Snapshot& snapshot, const Mask& dry, const Mask&
         level.values()[i] = ground.values()[i] + water;
     }
     if (!snapshot.nodata.empty()) {
-        continue_outward(ground, snapshot.nodata, 0.0F);
-        continue_outward(level, snapshot.nodata, 0.0F);
+        extrapolate_outward(ground, snapshot.nodata, 0.0F);
+        extrapolate_outward(level, snapshot.nodata, 0.0F);
     }
     Field<float> lake = level;
-    continue_outward(lake, sloping, unreached);
+    extrapolate_outward(lake, sloping, unreached);
     for (std::size_t i = 0; i < lake.size(); ++i) {
         float& there = lake.values()[i];
         if (there == unreached || there > level.values()[i]) there = level.values()[i];
@@ -320,7 +320,7 @@ DisplayWater display_water(const Snapshot& snapshot, int refinement) {
         for (std::size_t i = 0; i < coarse.size(); ++i)
             coarse.values()[i] =
                 dry.values()[i] != 0 ? 0.0F : static_cast<float>(values.values()[i]);
-        continue_outward(coarse, dry, 0.0F);
+        extrapolate_outward(coarse, dry, 0.0F);
         return refined(coarse, refinement);
     };
     Field<float> slope_x = surface_slopes(snapshot, open, 1, 0, snapshot.scale.dx);
@@ -331,8 +331,8 @@ DisplayWater display_water(const Snapshot& snapshot, int refinement) {
     water.depth = shown_depths(snapshot, dry, sloping, refinement);
     water.velocity_x = shown("velocity_x");
     water.velocity_y = shown("velocity_y");
-    continue_outward(slope_x, open, 0.0F);
-    continue_outward(slope_y, open, 0.0F);
+    extrapolate_outward(slope_x, open, 0.0F);
+    extrapolate_outward(slope_y, open, 0.0F);
     water.slope_x = refined(slope_x, refinement);
     water.slope_y = refined(slope_y, refinement);
     water.damp =

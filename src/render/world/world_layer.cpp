@@ -148,7 +148,7 @@ void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light,
     slid_ = light.slid;
     heights_ = std::move(heights);
     step_ = snapshot.step;
-    way_ = prevailing_way(snapshot);
+    way_ = prevailing_direction(snapshot);
 }
 
 void WorldLayer::look_at(const VisibleGround& ground) {

@@ -162,7 +162,7 @@ class WorldLayer {
     std::shared_ptr<const HeightPyramid> heights_;
     AvalancheCells slid_;
     std::int64_t step_ = 0;
-    Way way_;
+    HorizontalDirection way_;
     double sample_angle_ = 0.0;  ///< between two samples in the middle of the picture
     double near_limit_ = 0.0;    ///< a ripple is not seen beyond, block lengths
     gl::Program visibility_program_;

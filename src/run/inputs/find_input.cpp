@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "files/hash.h"
 #include "files/terrain/grid_hash.h"
-#include "scene/beds/held_bed.h"
+#include "scene/beds/memory_bed.h"
 #include "scene/input_maps.h"
 
 namespace fumon {
@@ -32,8 +32,8 @@ bool is_that_file_alone(const fs::path& file, const std::string& hash) {
 }  // namespace
 
 fs::path find_input(const InputFile& input, const fs::path& place, std::string_view what) {
-    if (is_held_bed(input.path))
-        throw InputError(fmt::format("{}: {}", place.string(), not_held(input.path)));
+    if (is_memory_bed(input.path))
+        throw InputError(fmt::format("{}: {}", place.string(), missing_memory_bed(input.path)));
     std::vector<fs::path> candidates{input.path};
     if (fs::path(input.path).is_relative()) {
         for (fs::path folder = fs::absolute(place).parent_path();; folder = folder.parent_path()) {

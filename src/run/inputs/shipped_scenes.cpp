@@ -57,7 +57,7 @@ std::vector<ShippedScene> shipped_scenes(const std::vector<std::string>& folders
     return all;
 }
 
-std::vector<ShippedScene> meant_scenes(const std::string& word) {
+std::vector<ShippedScene> matching_scenes(const std::string& word) {
     const std::vector<ShippedScene> all = shipped_scenes(shipped_folders);
     std::string name = word;
     if (name.ends_with(".toml")) name.resize(name.size() - std::string_view(".toml").size());
@@ -78,7 +78,7 @@ std::vector<ShippedScene> meant_scenes(const std::string& word) {
                                                  : fmt::format("did you mean \"{}\"?", nearest)));
 }
 
-std::string movable_text(const ShippedScene& scene) {
+std::string relocatable_text(const ShippedScene& scene) {
     std::istringstream text(read_input_file(scene.file));
     std::string moved;
     for (std::string line; std::getline(text, line);) {

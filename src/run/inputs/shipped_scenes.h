@@ -23,10 +23,10 @@ std::vector<ShippedScene> shipped_scenes(const std::vector<std::string>& folders
 /// The scene that is meant by a word: its name, with or without its folder and ".toml", or a word
 /// of its name ("barchans" of "dunes-barchans"). Several may be meant: in the order of
 /// shipped_scenes. Throws InputError for an unknown one, with the nearest.
-std::vector<ShippedScene> meant_scenes(const std::string& word);
+std::vector<ShippedScene> matching_scenes(const std::string& word);
 
 /// The text of a shipped scene as it can stand anywhere: files that it names beside itself are
 /// named by their whole path. Throws InputError where it cannot be read.
-std::string movable_text(const ShippedScene& scene);
+std::string relocatable_text(const ShippedScene& scene);
 
 }  // namespace fumon

@@ -15,14 +15,14 @@
 
 #include "base/error.h"
 #include "base/platform.h"
-#include "files/library_at_work.h"
+#include "files/active_library.h"
 #include "gl/functions.h"
 
 namespace fumon {
 
 namespace {
 
-volatile std::sig_atomic_t memory_ended = 0;
+volatile std::sig_atomic_t allocation_failed = 0;
 
 #ifndef FUMON_SANITIZED
 
@@ -41,8 +41,8 @@ std::array<std::string, crashes.size()> lines;
 bool memory_is_limited = false;
 std::array<char, 1 << 16> spare_stack;
 
-extern "C" void tell_crash(int signal) {
-    if (const char* library_line = line_of_library_at_work()) {
+extern "C" void report_crash(int signal) {
+    if (const char* library_line = active_library_line()) {
         [[maybe_unused]] const ssize_t written =
             ::write(STDERR_FILENO, library_line, std::strlen(library_line));
         ::_exit(could_not_work);
@@ -55,29 +55,29 @@ extern "C" void tell_crash(int signal) {
     if (memory_is_limited) ::_exit(could_not_work);
 }
 
-void note_end_of_memory() {
-    memory_ended = 1;
+void note_memory_exhaustion() {
+    allocation_failed = 1;
     gl::abandon_drivers();
     throw std::bad_alloc();
 }
 
-[[noreturn]] void tell_out_of_memory() {
+[[noreturn]] void report_out_of_memory() {
     [[maybe_unused]] const ssize_t written =
         ::write(STDERR_FILENO, out_of_memory.data(), out_of_memory.size());
     ::_exit(could_not_work);
 }
 
 /// Functions that promise to throw nothing ask for memory, too.
-[[noreturn]] void tell_what_ended_it() {
-    if (memory_ended != 0) tell_out_of_memory();
+[[noreturn]] void report_end_cause() {
+    if (allocation_failed != 0) report_out_of_memory();
     std::abort();
 }
 
 #ifdef __GLIBC__
 /// HDF5 ends the program where it finds no memory to begin.
-void tell_exit_of_library(int status, void* /*nothing*/) {
+void report_library_exit(int status, void* /*nothing*/) {
     constexpr int of_library = -1;
-    if (status == of_library) tell_out_of_memory();
+    if (status == of_library) report_out_of_memory();
 }
 #endif
 
@@ -85,16 +85,16 @@ void tell_exit_of_library(int status, void* /*nothing*/) {
 
 }  // namespace
 
-bool memory_has_ended() {
-    return memory_ended != 0;
+bool memory_exhausted() {
+    return allocation_failed != 0;
 }
 
-void explain_crashes() {
+void install_crash_reports() {
 #ifndef FUMON_SANITIZED
-    std::set_new_handler(note_end_of_memory);
-    std::set_terminate(tell_what_ended_it);
+    std::set_new_handler(note_memory_exhaustion);
+    std::set_terminate(report_end_cause);
 #ifdef __GLIBC__
-    ::on_exit(tell_exit_of_library, nullptr);
+    ::on_exit(report_library_exit, nullptr);
 #endif
     rlimit memory{};
     const bool has_limit = ::getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY;
@@ -118,7 +118,7 @@ void explain_crashes() {
                              "the scene. Files under their final names are whole\n",
                              crashes[i].name);
         struct sigaction action {};
-        action.sa_handler = tell_crash;
+        action.sa_handler = report_crash;
         action.sa_flags = static_cast<int>(SA_RESETHAND | SA_ONSTACK);
         ::sigaction(crashes[i].signal, &action, nullptr);
     }

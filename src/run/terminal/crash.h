@@ -15,9 +15,9 @@ inline constexpr std::string_view out_of_memory =
 /// Otherwise it ends as crashes do, with the signal. Where memory ends in a function that may not
 /// throw, out_of_memory is said and the status is 3. Sanitizers report more themselves; in their
 /// builds this does nothing.
-void explain_crashes();
+void install_crash_reports();
 
-/// Whether a request for memory by `new` has failed since explain_crashes().
-bool memory_has_ended();
+/// Whether a request for memory by `new` has failed since install_crash_reports().
+bool memory_exhausted();
 
 }  // namespace fumon

@@ -5,20 +5,20 @@
 #include <atomic>
 #include <csignal>
 
-#include "base/give_up.h"
+#include "base/cancellation.h"
 
 namespace fumon {
 
 namespace {
 
 std::atomic<int> received{0};
-std::atomic<int> ending_at_once{0};
+std::atomic<int> exiting_on_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free,
               "a signal handler may only touch lock-free atomics");
 
 void note_signal(int signal) {
-    if (ending_at_once.load() != 0) _exit(exit_status_of_signal(signal));
-    asked_to_stop_at.store(monotonic_nanoseconds());
+    if (exiting_on_signal.load() != 0) _exit(exit_status_of_signal(signal));
+    stop_requested_at_ns.store(monotonic_nanoseconds());
     if (received.exchange(signal) != 0) {
         std::signal(signal, SIG_DFL);
         std::raise(signal);
@@ -38,16 +38,16 @@ InterruptGuard::~InterruptGuard() {
     std::signal(SIGTERM, SIG_DFL);
 }
 
-EndAtOnce::EndAtOnce() {
-    ++ending_at_once;
+ExitOnSignal::ExitOnSignal() {
+    ++exiting_on_signal;
 }
 
-EndAtOnce::~EndAtOnce() {
-    --ending_at_once;
+ExitOnSignal::~ExitOnSignal() {
+    --exiting_on_signal;
 }
 
 void request_stop(int signal) {
-    asked_to_stop_at.store(monotonic_nanoseconds());
+    stop_requested_at_ns.store(monotonic_nanoseconds());
     received.store(signal);
 }
 
@@ -56,13 +56,13 @@ int interrupting_signal() {
 }
 
 int exit_status_of_signal(int signal) {
-    constexpr int beyond_every_own_status = 128;
-    return beyond_every_own_status + signal;
+    constexpr int signal_status_offset = 128;
+    return signal_status_offset + signal;
 }
 
 void clear_interrupt() {
     received.store(0);
-    asked_to_stop_at.store(0);
+    stop_requested_at_ns.store(0);
 }
 
 }  // namespace fumon

@@ -3,8 +3,8 @@
 namespace fumon {
 
 /// While one exists, SIGINT and SIGTERM only ask the program to stop (a second one ends it at once;
-/// base/give_up.h says how long work may go on), and SIGPIPE is ignored, so that a closed pipe is
-/// an ordinary write error.
+/// base/cancellation.h says how long work may go on), and SIGPIPE is ignored, so that a closed pipe
+/// is an ordinary write error.
 class InterruptGuard {
   public:
     InterruptGuard();
@@ -15,12 +15,12 @@ class InterruptGuard {
 
 /// While one exists, a first signal already ends the program at once, with the status of a stopped
 /// program: for the time in which it prepares its work, which may last, and has written nothing.
-class EndAtOnce {
+class ExitOnSignal {
   public:
-    EndAtOnce();
-    ~EndAtOnce();
-    EndAtOnce(const EndAtOnce&) = delete;
-    EndAtOnce& operator=(const EndAtOnce&) = delete;
+    ExitOnSignal();
+    ~ExitOnSignal();
+    ExitOnSignal(const ExitOnSignal&) = delete;
+    ExitOnSignal& operator=(const ExitOnSignal&) = delete;
 };
 
 /// Asks the program to stop, as this signal would (for those who handle signals themselves).

@@ -4,14 +4,14 @@
 
 #include <cstdio>
 
-#include "base/tell.h"
+#include "base/standard_error.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr double between_live_lines = 0.2;  // seconds
-constexpr double between_log_lines = 10.0;
+constexpr double live_line_interval_s = 0.2;  // seconds
+constexpr double log_line_interval_s = 10.0;
 
 }  // namespace
 
@@ -24,16 +24,16 @@ StatusLine::~StatusLine() {
 
 bool StatusLine::due() const {
     if (verbosity_ == Verbosity::quiet) return false;
-    return since_shown_.seconds() >= (live_ ? between_live_lines : between_log_lines);
+    return since_shown_.seconds() >= (live_ ? live_line_interval_s : log_line_interval_s);
 }
 
 void StatusLine::show(const std::string& text) {
     restart();
     if (live_) {
-        tell("\r\033[K" + text);
+        print_to_stderr("\r\033[K" + text);
         open_ = true;
     } else {
-        tell(text + "\n");
+        print_to_stderr(text + "\n");
     }
     std::fflush(stderr);
 }
@@ -52,12 +52,12 @@ void StatusLine::verbose(const std::string& text) {
 
 void StatusLine::error(const std::string& text) {
     clear();
-    tell(text + "\n");
+    print_to_stderr(text + "\n");
 }
 
 void StatusLine::clear() {
     if (!open_) return;
-    tell("\r\033[K");
+    print_to_stderr("\r\033[K");
     std::fflush(stderr);
     open_ = false;
 }

@@ -131,11 +131,11 @@ void list_place_keys(PanelSettings& panel, const std::string& path, KeyTable& ta
     table.integer(path + ".columns", panel.columns,
                   {.range = {1, 100}, .help = "columns that it spans"});
     table.choice(path + ".inset", panel.inset,
-                 {{InsetPlace::none, "none", "a panel of its own"},
-                  {InsetPlace::upper_left, "upper-left", "in the panel before it"},
-                  {InsetPlace::upper_right, "upper-right", "in the panel before it"},
-                  {InsetPlace::lower_left, "lower-left", "in the panel before it"},
-                  {InsetPlace::lower_right, "lower-right", "in the panel before it"}},
+                 {{InsetCorner::none, "none", "a panel of its own"},
+                  {InsetCorner::upper_left, "upper-left", "in the panel before it"},
+                  {InsetCorner::upper_right, "upper-right", "in the panel before it"},
+                  {InsetCorner::lower_left, "lower-left", "in the panel before it"},
+                  {InsetCorner::lower_right, "lower-right", "in the panel before it"}},
                  {.help = "whether it stands within the panel before it"});
     table.real(path + ".inset_size", panel.inset_size,
                {.range = {0.1, 0.9}, .help = "share of that panel's frame, along both sides"});
@@ -183,21 +183,22 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
                  {{PanelRange::shared, "shared", "one range for all steps"},
                   {PanelRange::own, "own", "each step its own"}},
                  {.help = "of the colours, where low and high are auto"});
-    const KeyWord former{"auto-0.2",
-                         "what auto was in version 0.2: percentile for bed, change and water_depth "
-                         "of maps and time-space panels, without a word on values beyond"};
+    const KeyWord previous{
+        "auto-0.2",
+        "what auto was in version 0.2: percentile for bed, change and water_depth "
+        "of maps and time-space panels, without a word on values beyond"};
     table.word_or_real(
         path + ".low", panel.low,
         {{"auto", "the least value that is shown; for change as far below 0 as high is above"},
          {"percentile", "the value below which 0.5 % of the cells lie"},
-         former},
+         previous},
         {.help = "value at the palette's start; where values lie below, the bar ends in a triangle",
          .earlier = {"0.3.0", "\"auto-0.2\""}});
     table.word_or_real(
         path + ".high", panel.high,
         {{"auto", "the greatest value that is shown"},
          {"percentile", "the value above which 0.5 % of the cells lie"},
-         former},
+         previous},
         {.help = "value at its end; likewise", .earlier = {"0.3.0", "\"auto-0.2\""}});
     table.text(path + ".palette", panel.palette, {.help = "empty: the scene's look.palette"});
     table.boolean(path + ".palette_reversed", panel.palette_reversed,

@@ -92,7 +92,7 @@ enum class PanelLegend {
     lower_left,
     lower_right
 };
-enum class InsetPlace { none, upper_left, upper_right, lower_left, lower_right };
+enum class InsetCorner { none, upper_left, upper_right, lower_left, lower_right };
 
 /// One panel of a figure; one for each of its steps where it has several and is a picture.
 struct PanelSettings {
@@ -102,8 +102,8 @@ struct PanelSettings {
     std::int64_t column = 0;
     std::int64_t rows = 1;  ///< that it spans
     std::int64_t columns = 1;
-    InsetPlace inset = InsetPlace::none;  ///< stands within the panel before it
-    double inset_size = 0.4;              ///< share of that panel's frame
+    InsetCorner inset = InsetCorner::none;  ///< stands within the panel before it
+    double inset_size = 0.4;                ///< share of that panel's frame
 
     // pictures
     std::string scene;                ///< another scene's file; empty: this one

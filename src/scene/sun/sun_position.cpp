@@ -37,7 +37,7 @@ double refraction(double elevation) {
 
 }  // namespace
 
-SkyPlace sun_position(double latitude, double longitude, double days) {
+SkyPosition sun_position(double latitude, double longitude, double days) {
     constexpr double parallax = 8.794 / 3600.0;
     const double t = days / 36525.0;  // Julian centuries
 

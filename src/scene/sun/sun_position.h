@@ -3,7 +3,7 @@
 namespace fumon {
 
 /// Where a body stands in the sky, degrees.
-struct SkyPlace {
+struct SkyPosition {
     double azimuth = 0.0;    ///< clockwise from true north, 0 … 360
     double elevation = 0.0;  ///< above the horizon, −90 … 90
 };
@@ -18,6 +18,6 @@ struct SkyPlace {
 ///
 /// `latitude`, `longitude`: degrees, north and east positive. `days`: from 2000-01-01 12:00 UTC.
 /// The bits do not depend on the processor.
-SkyPlace sun_position(double latitude, double longitude, double days);
+SkyPosition sun_position(double latitude, double longitude, double days);
 
 }  // namespace fumon

@@ -22,7 +22,7 @@ void list_lens_keys(CameraSettings& camera, KeyTable& table) {
           "through the point that camera.look_at or camera.framing looks at; else through the "
           "ground in the middle of the picture"}},
         {.unit = "m or sites",
-         .range = {0, largest_place, true},
+         .range = {0, largest_coordinate, true},
          .help = "distance from the lens to the plane of focus, along the camera's axis"});
     table.word_or_real(
         "camera.lens_samples", camera.lens_samples,
@@ -79,10 +79,10 @@ void list_camera_keys(CameraSettings& camera, KeyTable& table) {
         "still` that of its step, elsewhere that of the first frame";
     table.real_list(
         "camera.at", camera.at, 0, 3,
-        {.unit = "m or sites", .range = {-largest_place, largest_place}, .help = place});
+        {.unit = "m or sites", .range = {-largest_coordinate, largest_coordinate}, .help = place});
     table.real_list(
         "camera.look_at", camera.look_at, 0, 3,
-        {.unit = "m or sites", .range = {-largest_place, largest_place}, .help = place});
+        {.unit = "m or sites", .range = {-largest_coordinate, largest_coordinate}, .help = place});
     table.real(
         "camera.turn", camera.turn,
         {.unit = "degrees", .range = {-36000, 36000}, .help = "azimuth added evenly over the run"});

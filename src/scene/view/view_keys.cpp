@@ -9,7 +9,7 @@ namespace {
 void list_person_keys(PersonSettings& person, const std::string& path, KeyTable& table) {
     table.real_list(path + ".at", person.at, 0, 2,
                     {.unit = "m",
-                     .range = {-largest_place, largest_place},
+                     .range = {-largest_coordinate, largest_coordinate},
                      .help = "east and north of the bed's south-western corner"});
     table.real(path + ".facing", person.facing,
                {.unit = "degrees",
@@ -23,7 +23,7 @@ void list_track_keys(TrackSettings& track, const std::string& path, KeyTable& ta
                  {.help = "kind of track"});
     table.real_list(path + ".along", track.along, 0, 2000,
                     {.unit = "m",
-                     .range = {-largest_place, largest_place},
+                     .range = {-largest_coordinate, largest_coordinate},
                      .help = "points of the track's line: east and north of the bed's "
                              "south-western corner, in turn"});
     table.integer(path + ".seed", track.seed,

@@ -101,7 +101,7 @@ double FiniteVolume::longest_step() const {
     return 1.0 / most;
 }
 
-void FiniteVolume::take_slopes(const Flow& f) {
+void FiniteVolume::compute_slopes(const Flow& f) {
     for (int y = 0; y < n_; ++y) {
         for (int x = 0; x < n_; ++x) {
             const auto limit = [&](int xb, int yb, int xf, int yf, const Grid& normal,
@@ -132,7 +132,7 @@ void FiniteVolume::take_slopes(const Flow& f) {
     }
 }
 
-void FiniteVolume::take_fluxes(const Flow& f) {
+void FiniteVolume::compute_fluxes(const Flow& f) {
     for (int y = 0; y < n_; ++y) {
         for (int x = 0; x < n_; ++x) {
             const auto sides = [&](int xn, int yn, const Slopes& s, const Grid& normal,
@@ -191,8 +191,8 @@ void FiniteVolume::cut_fluxes(const Flow& f, double dt) {
 }
 
 void FiniteVolume::update(const Flow& from, const Flow* start, double dt, double rain, Flow& to) {
-    take_slopes(from);
-    take_fluxes(from);
+    compute_slopes(from);
+    compute_fluxes(from);
     cut_fluxes(from, dt);
     const double dt_dx = dt / dx;
     const double dt_dy = dt / dy;

@@ -29,8 +29,8 @@ class FiniteVolume {
     };
 
     [[nodiscard]] double longest_step() const;
-    void take_slopes(const Flow& flow);
-    void take_fluxes(const Flow& flow);
+    void compute_slopes(const Flow& flow);
+    void compute_fluxes(const Flow& flow);
     void cut_fluxes(const Flow& flow, double dt);
     void update(const Flow& from, const Flow* start, double dt, double rain, Flow& to);
     [[nodiscard]] int before(int i) const { return i == 0 ? n_ - 1 : i - 1; }

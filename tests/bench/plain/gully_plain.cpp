@@ -133,7 +133,7 @@ void Gully::step() {
         advect_and_accelerate(dt);
         turn(dt, gained_u_, next_ux_, next_uy_);
         turn(dt, gained_v_, next_vx_, next_vy_);
-        carry_depth(dt);
+        transport_depth(dt);
         std::swap(h_, next_h_);
         std::swap(u_, next_u_);
         std::swap(v_, next_v_);
@@ -244,7 +244,7 @@ void Gully::turn(double dt, const Grid& gained, Grid& gradient_x, Grid& gradient
 }
 
 /// Cells that would give more than they have do not occur in what is measured.
-void Gully::carry_depth(double dt) {
+void Gully::transport_depth(double dt) {
     for (int y = 0; y < n_; ++y) {
         const int yn = after(y);
         for (int x = 0; x < n_; ++x) {

@@ -26,7 +26,7 @@ class Gully {
     [[nodiscard]] double courant_rate() const;
     void advect_and_accelerate(double dt);
     void turn(double dt, const Grid& gained, Grid& gradient_x, Grid& gradient_y) const;
-    void carry_depth(double dt);
+    void transport_depth(double dt);
     void incise(double dt);
     void diffuse(double dt);
     [[nodiscard]] int before(int i) const { return i == 0 ? n_ - 1 : i - 1; }

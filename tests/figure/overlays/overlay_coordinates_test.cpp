@@ -82,7 +82,7 @@ class OverlayCoordinates : public ::testing::Test {
         const Scene scene =
             scene_of(overlay("coordinates", "upper-left"), width, height, "[camera]\n" + camera);
         const auto made = make_coordinates_overlay({scene, first_, first_}, 0);
-        made->stand_among(taken, 0.8);
+        made->avoid_boxes(taken, 0.8);
         Canvas canvas(width, height, 0.012 * width, CanvasGround::transparent);
         const MeasuredRows rows;
         made->draw(canvas, {0.0, 0.0, static_cast<double>(width), static_cast<double>(height)},

@@ -25,7 +25,7 @@ TEST(FrameOverlays, OverATransparentPictureLettersStandAlone) {
     overlays.draw(open, {bed, rows});
     overlays.draw(white, {bed, rows});
     int off = 0;
-    const Image laid = laid_on(open, 255);
+    const Image laid = composited_on(open, 255);
     for (std::size_t i = 0; i < laid.rgb.size(); ++i)
         off = std::max(off, std::abs(laid.rgb[i] - white.rgb[i]));
     EXPECT_LE(off, 2);

@@ -92,7 +92,7 @@ std::vector<std::string> texts_of_map(const WorldScale& scale) {
     LookSettings look;
     look.colour_by = Colouring::height;
     MapPanelSettings settings;
-    settings.colour_bar = BarPlace::none;
+    settings.colour_bar = BarPosition::none;
     settings.coordinates = scale;
     const MapPanel panel(map_picture(look, snapshot, snapshot), settings);
     Canvas canvas(500, 400, 12.0);

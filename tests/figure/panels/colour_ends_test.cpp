@@ -39,9 +39,9 @@ TEST(ColourEnds, WithoutTailsAreThoseOfAllValues) {
     const MapPicture whole = map_picture(look, snapshot, snapshot, {0.0, 0.0});
     EXPECT_NEAR(whole.colours.low, 0.02, 1e-6);
     EXPECT_NEAR(whole.colours.high, 2.985, 1e-6);
-    const MapPicture former = map_picture(look, snapshot, snapshot);
-    EXPECT_NEAR(former.colours.high, 1.975, 1e-6);
-    const auto values = values_of(former);
+    const MapPicture previous = map_picture(look, snapshot, snapshot);
+    EXPECT_NEAR(previous.colours.high, 1.975, 1e-6);
+    const auto values = values_of(previous);
     ASSERT_TRUE(values);
     EXPECT_NEAR(values->second, 2.985, 1e-6);
 }
@@ -64,9 +64,11 @@ TEST(ColourEnds, HaveTicksWhereTheBarSaysSo) {
 TEST(ColourEnds, ATriangleHasItsRoomBesideTheFrame) {
     const Canvas canvas(400, 400, 12.0);
     ColourScale colours{read_palette("batlow"), 0.0, 1.0, ""};
-    const PanelMargins plain = with_colour_bar(canvas, {}, BarPlace::right, colours, 200.0, 200.0);
+    const PanelMargins plain =
+        with_colour_bar(canvas, {}, BarPosition::right, colours, 200.0, 200.0);
     colours.values_above = true;
-    const PanelMargins above = with_colour_bar(canvas, {}, BarPlace::right, colours, 200.0, 200.0);
+    const PanelMargins above =
+        with_colour_bar(canvas, {}, BarPosition::right, colours, 200.0, 200.0);
     EXPECT_GT(above.above, plain.above + 5.0);
     EXPECT_EQ(above.below, plain.below);
 }

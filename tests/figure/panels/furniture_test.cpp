@@ -87,7 +87,7 @@ TEST(GroundBar, EndsWhereItsGroundIsSeen) {
 TEST(GroundAxes, AreThoseOfAMapSeenFromAbove) {
     CameraSettings camera;
     camera.projection = Projection::map;
-    const GroundAxes axes = seen_axes(projection_of(camera, wavy_bed(60, 40)));
+    const GroundAxes axes = visible_axes(projection_of(camera, wavy_bed(60, 40)));
     EXPECT_NEAR(axes.east.x, 1.0, 1e-9);
     EXPECT_NEAR(axes.east.y, 0.0, 1e-9);
     EXPECT_NEAR(axes.north.x, 0.0, 1e-9);
@@ -104,7 +104,7 @@ TEST(GroundAxes, PointAsTheCameraSees) {
         // The camera looks from `azimuth` to the opposite one: ground towards it moves down the
         // picture, shortened by the sine of 30 degrees; ground at right angles keeps its length.
         const double a = azimuth * std::numbers::pi / 180.0;
-        const GroundAxes axes = seen_axes(projection_of(camera, snapshot));
+        const GroundAxes axes = visible_axes(projection_of(camera, snapshot));
         EXPECT_NEAR(axes.east.x, -std::cos(a), 1e-6) << azimuth;
         EXPECT_NEAR(axes.east.y, 0.5 * std::sin(a), 1e-6) << azimuth;
         EXPECT_NEAR(axes.north.x, std::sin(a), 1e-6) << azimuth;
@@ -116,7 +116,7 @@ TEST(GroundArrow, PointsTheWindsWayWithinItsBox) {
     for (const double azimuth : {180.0, 90.0, 250.0, 0.0}) {
         CameraSettings camera;
         camera.azimuth = azimuth;
-        const GroundAxes axes = seen_axes(projection_of(camera, wavy_bed(60, 40)));
+        const GroundAxes axes = visible_axes(projection_of(camera, wavy_bed(60, 40)));
         Canvas canvas(200, 200, 20.0);
         const GroundDirection wind{wind_direction(Snapshot{})->towards, ""};
         const FurnitureSize size = ground_arrow_size(canvas, wind, axes);

@@ -33,7 +33,7 @@ TEST(MapLines, DrawsDirectionsThroughItsMiddle) {
     const auto drawn = [&](const std::vector<MapLine>& lines) {
         MapPanelSettings settings;
         settings.axes = false;
-        settings.colour_bar = BarPlace::none;
+        settings.colour_bar = BarPosition::none;
         settings.lines = lines;
         Canvas canvas(240, 240, 24.0);
         MapPanel(picture, settings).draw(canvas, {20.0, 20.0, 200.0, 200.0});

@@ -365,7 +365,7 @@ TEST(PicturePanels, DrawNothingOutsideTheirMargins) {
     std::vector<std::pair<const char*, std::unique_ptr<PanelContent>>> panels;
     Snapshot wavy = wavy_bed(40, 30);
     Snapshot wet = under_water(wavy, 0.01, 0.3);
-    for (const BarPlace bar : {BarPlace::none, BarPlace::right, BarPlace::below}) {
+    for (const BarPosition bar : {BarPosition::none, BarPosition::right, BarPosition::below}) {
         for (const bool axes : {false, true}) {
             MapPanelSettings settings;
             settings.axes = axes;
@@ -383,7 +383,7 @@ TEST(PicturePanels, DrawNothingOutsideTheirMargins) {
         settings.label = "step 300";
         settings.arrow = wind_direction(Snapshot{});
         settings.compass = true;
-        settings.colour_bar = azimuth == 215.0 ? BarPlace::right : BarPlace::none;
+        settings.colour_bar = azimuth == 215.0 ? BarPosition::right : BarPosition::none;
         settings.colours = {read_palette("vik"), -1.0, 1.0, "change (mm)"};
         panels.emplace_back("view", std::make_unique<ViewPanel>(block_picture(azimuth), settings));
     }

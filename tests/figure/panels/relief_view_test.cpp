@@ -115,8 +115,8 @@ TEST(ReliefView, TheBlockHoldsAllSnapshotsAndIsThin) {
     EXPECT_NEAR(block.z(-4.0) - block.base, 0.02, 1e-9);
     EXPECT_GE(block.top, block.z(0.1));
     EXPECT_LT(block.top, block.z(0.1) + 0.02);
-    const Block former = frame_block(first, 1.0);
-    EXPECT_NEAR(frame_block(first, 1.0, {"auto", 0.0}, {"auto", 0.0}).base, former.base, 0.0);
+    const Block previous = frame_block(first, 1.0);
+    EXPECT_NEAR(frame_block(first, 1.0, {"auto", 0.0}, {"auto", 0.0}).base, previous.base, 0.0);
 }
 
 TEST(Outlined, DarkensTheEdgeOfWhatIsOpaque) {

@@ -222,12 +222,12 @@ TEST(Legend, StandsOutsideAFullFrame) {
 
 TEST(Legend, StandsWhereItIsTold) {
     Plot plot = crowded();
-    plot.legend = LegendPlace::lower_left;
+    plot.legend = LegendPosition::lower_left;
     const CanvasBox box = plot_drawing(sheet(), plot, frame).legend->box;
     EXPECT_LT(box.middle().x, frame.middle().x);
     EXPECT_GT(box.middle().y, frame.middle().y);
     EXPECT_TRUE(within(box, frame));
-    plot.legend = LegendPlace::none;
+    plot.legend = LegendPosition::none;
     EXPECT_FALSE(plot_drawing(sheet(), plot, frame).legend);
 }
 

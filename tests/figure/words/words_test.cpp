@@ -36,7 +36,7 @@ TEST(Words, EveryLanguageHasEveryWordAndUnit) {
 TEST(Words, AreThoseOfTheThreadsLanguageWhileItSpeaksIt) {
     EXPECT_EQ(word("wind"), "wind");
     {
-        const Speaking speaking(std::make_shared<const WordTable>(words_of_language("ja")));
+        const LanguageScope speaking(std::make_shared<const WordTable>(words_of_language("ja")));
         EXPECT_EQ(word("wind"), "風");
         EXPECT_EQ(phrase("heights × {}", "20"), "高さ 20 倍");
         EXPECT_EQ(unit_word("yr"), "年");
@@ -45,7 +45,7 @@ TEST(Words, AreThoseOfTheThreadsLanguageWhileItSpeaksIt) {
         EXPECT_EQ(quantity_in_words("standard_deviation", "m"), "標準偏差 (m)");
         EXPECT_EQ(quantity_in_words("mill_discharge_m3s", "m3/s"), "mill discharge (m3/s)");
         {
-            const Speaking english(nullptr);
+            const LanguageScope english(nullptr);
             EXPECT_EQ(word("wind"), "wind");
         }
         EXPECT_EQ(quantity_in_words("dune_count", ""), "砂丘の数");

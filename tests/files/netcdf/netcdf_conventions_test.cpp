@@ -307,11 +307,11 @@ Snapshot bare(std::int64_t step) {
 
 TEST(NetcdfConventions, AnOlderFileIsReadAndGoneOnWithInOneLayout) {
     const TemporaryFolder folder;
-    FieldsBeginning former;
+    FieldsBeginning previous;
     {
         FieldsFile file(folder / "new.nc", bare(0), fields_text);
         for (const std::int64_t step : {0, 10}) file.add(bare(step));
-        former = file.sync();
+        previous = file.sync();
         file.add(bare(20));
         file.commit();
     }
@@ -323,7 +323,7 @@ TEST(NetcdfConventions, AnOlderFileIsReadAndGoneOnWithInOneLayout) {
     EXPECT_EQ(read_fields_record(folder / "old.nc")->numbers.size(), std::size_t{1});
     EXPECT_EQ(read_fields_record(folder / "new.nc")->numbers.size(), std::size_t{1})
         << "a date is none";
-    FieldsFile file(folder / "old.nc", bare(0), fields_text, former);
+    FieldsFile file(folder / "old.nc", bare(0), fields_text, previous);
     file.add(bare(20));
     file.commit();
     EXPECT_TRUE(bytes_of(folder / "old.nc") == bytes_of(folder / "new.nc"));

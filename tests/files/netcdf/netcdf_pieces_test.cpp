@@ -22,8 +22,8 @@ FieldsFile new_file(const TemporaryFolder& folder) {
     return {folder / "on.nc", air_snapshot(0, section(0)), air_text};
 }
 
-FieldsFile gone_on_with(const TemporaryFolder& folder, const FieldsBeginning& former) {
-    return {folder / "on.nc", air_snapshot(0, section(0)), air_text, former};
+FieldsFile gone_on_with(const TemporaryFolder& folder, const FieldsBeginning& previous) {
+    return {folder / "on.nc", air_snapshot(0, section(0)), air_text, previous};
 }
 
 void add_records(FieldsFile& file, std::int64_t from, std::int64_t to) {
@@ -77,11 +77,11 @@ TEST(NetcdfPieces, AFileThatIsGoneOnWithGetsTheBytesOfOneInOneGo) {
             if (kept == 6 && !committed) continue;
             const TemporaryFolder folder;
             leave_pieces(folder, committed);
-            const FieldsBeginning former = beginning_of(kept);
-            EXPECT_EQ(difference(folder / "on.nc", air_snapshot(0, section(0)), former).what, "");
-            FieldsFile file = gone_on_with(folder, former);
+            const FieldsBeginning previous = beginning_of(kept);
+            EXPECT_EQ(difference(folder / "on.nc", air_snapshot(0, section(0)), previous).what, "");
+            FieldsFile file = gone_on_with(folder, previous);
             EXPECT_EQ(file.records(), kept);
-            EXPECT_EQ(file.sync().hash, former.hash);
+            EXPECT_EQ(file.sync().hash, previous.hash);
             add_records(file, kept, 6);
             file.commit();
             EXPECT_TRUE(bytes_of(folder / "on.nc") == bytes) << kept << committed;
@@ -104,12 +104,13 @@ TEST(NetcdfPieces, APieceIsNeverWrittenToAgain) {
 
 TEST(NetcdfPieces, WhatCannotBeGoneOnWithIsRefusedAndStays) {
     const TemporaryFolder folder;
-    const auto expect_refusal = [&](const FieldsBeginning& former, const std::string& name,
+    const auto expect_refusal = [&](const FieldsBeginning& previous, const std::string& name,
                                     const std::string& why) {
-        const auto [file, what] = difference(folder / "on.nc", air_snapshot(0, section(0)), former);
+        const auto [file, what] =
+            difference(folder / "on.nc", air_snapshot(0, section(0)), previous);
         EXPECT_EQ(file, folder / name);
         EXPECT_TRUE(what.starts_with(why)) << what;
-        const std::string line = message_of<InputError>([&] { gone_on_with(folder, former); });
+        const std::string line = message_of<InputError>([&] { gone_on_with(folder, previous); });
         EXPECT_NE(line.find(name + ": cannot go on with it: it " + why), std::string::npos) << line;
     };
     expect_refusal(beginning_of(1), "on.nc.000001", "is not there");

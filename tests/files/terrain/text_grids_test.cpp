@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "files/terrain/doubtful_heights.h"
 #include "files/terrain/esri_ascii.h"
+#include "files/terrain/suspect_heights.h"
 #include "files/terrain/terrain_file.h"
 #include "files/terrain/text_grid.h"
 #include "support/temporary_folder.h"
@@ -130,7 +130,7 @@ TEST(DoubtfulHeights, CustomaryNumbersFarFromOthersAreTold) {
              {{1, 40000, 3}, 1.0, "40000"},
          }) {
         const std::string note =
-            heights_in_doubt(of_heights(row.heights, row.metres_per_number), "f");
+            suspect_heights(of_heights(row.heights, row.metres_per_number), "f");
         if (*row.number == '\0') {
             EXPECT_EQ(note, "");
             continue;
@@ -149,7 +149,7 @@ TEST(DoubtfulHeights, NoGroundIsAThousandKilometresHigh) {
              {1.1e6, "1100000"}}) {
         const Terrain terrain = of_heights({1, height, 3});
         const std::string message =
-            message_of<InputError>([&] { (void)heights_in_doubt(terrain, "bed.asc"); });
+            message_of<InputError>([&] { (void)suspect_heights(terrain, "bed.asc"); });
         EXPECT_TRUE(
             message.starts_with("bed.asc: 1 of 3 cells have heights beyond ±1e+06 m, the first "))
             << message;
@@ -157,7 +157,7 @@ TEST(DoubtfulHeights, NoGroundIsAThousandKilometresHigh) {
                   std::string::npos)
             << message;
     }
-    EXPECT_NE(heights_in_doubt(of_heights({1, 9e5, 3}), "bed.asc"), "");
+    EXPECT_NE(suspect_heights(of_heights({1, 9e5, 3}), "bed.asc"), "");
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "measure/bed/bed_along_wind.h"
 #include "measure/bed/celerity.h"
 #include "measure/bed/crest_orientation.h"
-#include "measure/bed/lone_dunes.h"
+#include "measure/bed/isolated_dunes.h"
 #include "measure/suite.h"
 #include "support/measured_beds.h"
 
@@ -132,7 +132,7 @@ TEST(BedAlongWind, HeightsBetweenCellsFollowParabolas) {
 }
 
 /// Two dunes that touch are no lone dunes; the third is, and its horns count though it is small.
-TEST(LoneDunes, LeaveOutWhatTouches) {
+TEST(IsolatedDunes, LeaveOutWhatTouches) {
     Grid bed(120, 80);
     const auto dome = [&](double x0, double y0, double height, double bend) {
         for (int y = 0; y < 80; ++y) {
@@ -146,7 +146,7 @@ TEST(LoneDunes, LeaveOutWhatTouches) {
     dome(30, 30, 5.0, -3.0);
     dome(38, 50, 5.0, -3.0);
     dome(90, 40, 1.5, 3.0);
-    const LoneDunes found = lone_dunes(bed, true, {});
+    const IsolatedDunes found = isolated_dunes(bed, true, {});
     EXPECT_EQ(found.count, 1);
     EXPECT_EQ(found.share_horns_downwind, 1.0);
     EXPECT_NEAR(found.height_to_width, 1.5 / 9.0, 0.03);

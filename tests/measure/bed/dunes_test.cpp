@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "measure/bed/dune_pieces.h"
+#include "measure/bed/dune_components.h"
 #include "support/measured_beds.h"
 
 namespace fumon {
@@ -76,9 +76,9 @@ std::vector<PlainPiece> flooded(const Grid& bed, double level, bool periodic) {
     return pieces;
 }
 
-std::vector<PlainPiece> plain(const DunePieces& found, const Grid& bed) {
+std::vector<PlainPiece> plain(const DuneComponents& found, const Grid& bed) {
     std::vector<PlainPiece> pieces;
-    for (const DunePiece& piece : found.pieces) {
+    for (const DuneComponent& piece : found.pieces) {
         PlainPiece cells;
         cells.wraps = piece.wraps;
         for (const RowRun& run : found.runs_of(piece)) {
@@ -113,7 +113,7 @@ bool lies_together(std::span<const RowRun> runs) {
     return cells.empty();
 }
 
-TEST(DunePieces, AreThoseOfAPlainFlood) {
+TEST(DuneComponents, AreThoseOfAPlainFlood) {
     int wrapped = 0;
     int apart = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -122,9 +122,9 @@ TEST(DunePieces, AreThoseOfAPlainFlood) {
         const double level =
             0.45 + 0.008 * static_cast<double>(seed);  // about percolation and above
         for (const bool periodic : {true, false}) {
-            const DunePieces found = dune_pieces(bed, level, periodic);
+            const DuneComponents found = dune_components(bed, level, periodic);
             EXPECT_EQ(plain(found, bed), flooded(bed, level, periodic)) << "seed " << seed;
-            for (const DunePiece& piece : found.pieces) {
+            for (const DuneComponent& piece : found.pieces) {
                 (piece.wraps ? wrapped : apart) += 1;
                 EXPECT_TRUE(piece.wraps || lies_together(found.runs_of(piece)));
             }
@@ -134,24 +134,25 @@ TEST(DunePieces, AreThoseOfAPlainFlood) {
     EXPECT_GT(apart, 500);
 }
 
-TEST(DunePieces, OverTheCornerAreOne) {
+TEST(DuneComponents, OverTheCornerAreOne) {
     const Grid bed = drawn({"#.....#",  //
                             ".......",  //
                             ".......",  //
                             "......#"});
-    const DunePieces found = dune_pieces(bed, 0.5, true);
+    const DuneComponents found = dune_components(bed, 0.5, true);
     ASSERT_EQ(found.pieces.size(), 1U);
     EXPECT_EQ(found.pieces[0].cells, 3);
     EXPECT_FALSE(found.pieces[0].wraps);
-    EXPECT_EQ(dune_pieces(bed, 0.5, false).pieces.size(), 3U);
+    EXPECT_EQ(dune_components(bed, 0.5, false).pieces.size(), 3U);
 }
 
-TEST(DunePieces, BandsRoundTheBedWrap) {
-    EXPECT_TRUE(dune_pieces(drawn({"....", "####", "...."}), 0.5, true).pieces[0].wraps);
-    EXPECT_TRUE(dune_pieces(drawn({".#..", ".#..", ".#.."}), 0.5, true).pieces[0].wraps);
-    EXPECT_TRUE(dune_pieces(drawn({"#...", ".#..", "..#.", "...#"}), 0.5, true).pieces[0].wraps);
-    EXPECT_FALSE(dune_pieces(drawn({"....", "###.", "...."}), 0.5, true).pieces[0].wraps);
-    EXPECT_FALSE(dune_pieces(drawn({"....", "####", "...."}), 0.5, false).pieces[0].wraps);
+TEST(DuneComponents, BandsRoundTheBedWrap) {
+    EXPECT_TRUE(dune_components(drawn({"....", "####", "...."}), 0.5, true).pieces[0].wraps);
+    EXPECT_TRUE(dune_components(drawn({".#..", ".#..", ".#.."}), 0.5, true).pieces[0].wraps);
+    EXPECT_TRUE(
+        dune_components(drawn({"#...", ".#..", "..#.", "...#"}), 0.5, true).pieces[0].wraps);
+    EXPECT_FALSE(dune_components(drawn({"....", "###.", "...."}), 0.5, true).pieces[0].wraps);
+    EXPECT_FALSE(dune_components(drawn({"....", "####", "...."}), 0.5, false).pieces[0].wraps);
 }
 
 // ---- dunes ----

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "measure/bed/row_departures.h"
+#include "measure/bed/detrended_row.h"
 #include "measure/bed/row_waves.h"
 #include "support/measured_beds.h"
 
@@ -123,13 +123,13 @@ TEST(RowDepartures, MeansOfRowsSideBySideAreThoseOfEachByItself) {
 TEST(RowDepartures, AreZeroWhereOnlyRoundingIsLeft) {
     const std::vector<double> row(7, 0.1);
     std::vector<double> departures(7, 9.0);
-    row_departures(row, true, departures);
+    detrend_row(row, true, departures);
     EXPECT_EQ(departures, std::vector<double>(7, 0.0));
     std::vector<double> slope(7);
     for (std::size_t x = 0; x < 7; ++x) slope[x] = 0.3 * static_cast<double>(x) - 4.0;
-    row_departures(slope, false, departures);
+    detrend_row(slope, false, departures);
     EXPECT_EQ(departures, std::vector<double>(7, 0.0));
-    row_departures(slope, true, departures);
+    detrend_row(slope, true, departures);
     EXPECT_NEAR(departures[0], -0.9, 1e-15);
 }
 

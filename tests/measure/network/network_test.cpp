@@ -43,7 +43,7 @@ TEST(FlowRouting, ATiltedPlaneDrainsInParallel) {
     EXPECT_EQ(shape.sources, 12.0);
     EXPECT_TRUE(std::isnan(shape.bifurcation_ratio));
     EXPECT_NEAR(shape.concavity, 0.0, 1e-12) << "one slope everywhere";
-    EXPECT_NEAR(shape.longest_way, 28 * 3.0, 1e-12);
+    EXPECT_NEAR(shape.longest_path_length, 28 * 3.0, 1e-12);
     // Channels of 20 rows of 30, all 12 columns: y = 0 … 19, of which row 0 is the outlet.
     EXPECT_NEAR(shape.drainage_density, 12 * 19 * 3.0 / (12 * 30 * 6.0), 1e-12);
 }

@@ -12,19 +12,19 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "base/worker_pool.h"
-#include "models/shared/whole_lengths.h"
+#include "models/shared/fixed_point_lengths.h"
 
 namespace fumon::test {
 namespace {
 
 constexpr int plenty = 1'000'000;
 
-std::int64_t total(const WholeGrid& grid) {
+std::int64_t total(const FixedPointGrid& grid) {
     return std::accumulate(grid.values().begin(), grid.values().end(), std::int64_t{0});
 }
 
-WholeGrid rough(int nx, int ny, double height) {
-    WholeGrid grid(nx, ny);
+FixedPointGrid rough(int nx, int ny, double height) {
+    FixedPointGrid grid(nx, ny);
     RandomStream stream(5, 0, 0, Purpose::initial_bed);
     for (std::int64_t& cell : grid.values()) cell = to_units(height * stream.uniform());
     return grid;
@@ -32,7 +32,7 @@ WholeGrid rough(int nx, int ny, double height) {
 
 /// How far from round a cone is: (largest − smallest radius) / mean, over all directions, of the
 /// circle at a third of its height.
-double out_of_round(const WholeGrid& surface, int centre, double& mean_radius) {
+double out_of_round(const FixedPointGrid& surface, int centre, double& mean_radius) {
     const double level = to_metres(surface(centre, centre)) / 3.0;
     const auto height = [&](double x, double y) {
         const int i = static_cast<int>(x);
@@ -60,9 +60,9 @@ double out_of_round(const WholeGrid& surface, int centre, double& mean_radius) {
 }
 
 /// Sand dropped on a single cell, bit by bit.
-WholeGrid dropped_cone(int side, double volume, int portions, WorkerPool& pool) {
-    WholeGrid surface(side, side);
-    const WholeGrid floor(side, side);
+FixedPointGrid dropped_cone(int side, double volume, int portions, WorkerPool& pool) {
+    FixedPointGrid surface(side, side);
+    const FixedPointGrid floor(side, side);
     SlopeRelaxation slopes({side, side, 1.0, 1.0, true, true}, {}, pool);
     for (int portion = 0; portion < portions; ++portion) {
         surface(side / 2, side / 2) += to_units(volume / portions);
@@ -73,7 +73,7 @@ WholeGrid dropped_cone(int side, double volume, int portions, WorkerPool& pool) 
 
 TEST(SlopeRelaxation, ADroppedConeIsRoundAndAtItsAngle) {
     WorkerPool pool(2);
-    const WholeGrid cone = dropped_cone(120, 42'000.0, 40, pool);
+    const FixedPointGrid cone = dropped_cone(120, 42'000.0, 40, pool);
     EXPECT_EQ(total(cone), 40 * to_units(42'000.0 / 40));
     double radius = 0.0;
     EXPECT_LT(out_of_round(cone, 60, radius), 0.015);
@@ -88,8 +88,8 @@ TEST(SlopeRelaxation, NoSlopeExceedsTheAngleAndSandIsConserved) {
     WorkerPool pool(2);
     for (const ReposeAngles angles : {ReposeAngles{33.0, 33.0}, ReposeAngles{34.0, 31.0}}) {
         for (const bool periodic : {true, false}) {
-            WholeGrid surface = rough(67, 41, 20.0);
-            const WholeGrid floor(67, 41);
+            FixedPointGrid surface = rough(67, 41, 20.0);
+            const FixedPointGrid floor(67, 41);
             const std::int64_t before = total(surface);
             SlopeRelaxation slopes({67, 41, 1.0, 1.5, periodic, periodic}, angles, pool);
             EXPECT_GT(slopes.steepest(surface, floor), 60.0);
@@ -99,7 +99,7 @@ TEST(SlopeRelaxation, NoSlopeExceedsTheAngleAndSandIsConserved) {
             EXPECT_LE(slopes.steepest(surface, floor), angles.resting + 0.5);
             EXPECT_GT(slopes.steepest(surface, floor), angles.moving - 1.0);
             EXPECT_EQ(total(surface), before);
-            const WholeGrid at_rest = surface;
+            const FixedPointGrid at_rest = surface;
             EXPECT_EQ(slopes.relax(surface, floor, plenty).passes, 0);
             EXPECT_EQ(surface, at_rest);
         }
@@ -107,22 +107,22 @@ TEST(SlopeRelaxation, NoSlopeExceedsTheAngleAndSandIsConserved) {
 }
 
 TEST(SlopeRelaxation, AnyNumberOfThreadsGivesTheSameUnits) {
-    std::vector<WholeGrid> results;
+    std::vector<FixedPointGrid> results;
     for (const int threads : {1, 2, 3, 7}) {
         WorkerPool pool(threads);
-        WholeGrid surface = rough(130, 90, 12.0);
-        const WholeGrid floor(130, 90);
+        FixedPointGrid surface = rough(130, 90, 12.0);
+        const FixedPointGrid floor(130, 90);
         SlopeRelaxation slopes({130, 90, 1.0, 1.0, true, false}, {}, pool);
         slopes.relax(surface, floor, plenty);
         results.push_back(surface);
     }
-    for (const WholeGrid& result : results) EXPECT_EQ(result, results.front());
+    for (const FixedPointGrid& result : results) EXPECT_EQ(result, results.front());
 }
 
 /// The passes as they are defined, one after the other, cell after cell; returns how many moved
 /// anything.
-int plain_passes(WholeGrid& surface, const WholeGrid& floor, const AvalancheGround& ground,
-                 const ReposeAngles& angles, int most) {
+int plain_passes(FixedPointGrid& surface, const FixedPointGrid& floor,
+                 const AvalancheGround& ground, const ReposeAngles& angles, int most) {
     const auto tangent = [](double degrees) {
         return elementary::sin(degrees * degree) / elementary::cos(degrees * degree);
     };
@@ -133,12 +133,12 @@ int plain_passes(WholeGrid& surface, const WholeGrid& floor, const AvalancheGrou
         return to >= 0 && to < count ? to : periodic ? (to + count) % count : at;
     };
     const double rest = tangent(angles.moving);
-    WholeGrid before = surface;
-    WholeGrid slid(nx, ny, 1);
+    FixedPointGrid before = surface;
+    FixedPointGrid slid(nx, ny, 1);
     for (int pass = 0; pass < most; ++pass) {
         const double start =
             rest * (tangent((pass == 0 ? angles.resting : angles.moving) + 0.4) / rest);
-        WholeGrid slides(nx, ny);
+        FixedPointGrid slides(nx, ny);
         for (int y = 0; y < ny; ++y) {
             for (int x = 0; x < nx; ++x) {
                 const std::array xs{beside(x, -1, nx, ground.periodic_x),
@@ -186,11 +186,11 @@ TEST(SlopeRelaxation, ManyPassesTogetherAreThoseOfOneAfterTheOther) {
     const ReposeAngles angles{34.0, 31.0};
     constexpr int nx = 75;
     for (const int ny : {3, 20, 75}) {
-        WholeGrid floor = rough(nx, ny, 3.0);
+        FixedPointGrid floor = rough(nx, ny, 3.0);
         for (int y = 0; y < ny; ++y) {
             for (int x = 0; x < 64; ++x) floor(x, y) = to_units(1.0);
         }
-        const WholeGrid sand = rough(nx, ny, 9.0);
+        const FixedPointGrid sand = rough(nx, ny, 9.0);
         for (const bool periodic : {true, false}) {
             const AvalancheGround ground{nx, ny, 1.0, 1.5, periodic, periodic};
             for (const int threads : {1, 3}) {
@@ -200,16 +200,16 @@ TEST(SlopeRelaxation, ManyPassesTogetherAreThoseOfOneAfterTheOther) {
                 FloorRange range;
                 range.find(floor, pool);
                 SlopeRelaxation slopes(ground, angles, pool);
-                WholeGrid surface = floor;
-                WholeGrid plain = floor;
-                const auto fall = [&](WholeGrid& on, int y) {
+                FixedPointGrid surface = floor;
+                FixedPointGrid plain = floor;
+                const auto fall = [&](FixedPointGrid& on, int y) {
                     for (int x = 0; x < nx; ++x) on(x, y) += sand((x * 7 + y) % nx, y) / 8;
                 };
                 for (const int most : {1, 1, 1, 7, 1, 1, 200}) {
                     for (int y = 0; y < ny; ++y) fall(plain, y);
                     const int passes = plain_passes(plain, floor, ground, angles, most);
                     const auto outcome = slopes.relax(surface, {floor, &range}, most,
-                                                      SlopeRelaxation::Ending::unseen,
+                                                      SlopeRelaxation::RestCheck::skipped,
                                                       [&](int y) { fall(surface, y); });
                     EXPECT_EQ(outcome.passes, passes);
                     ASSERT_EQ(surface, plain) << "after " << most << " passes";
@@ -221,11 +221,11 @@ TEST(SlopeRelaxation, ManyPassesTogetherAreThoseOfOneAfterTheOther) {
 
 TEST(SlopeRelaxation, RockStaysSteepAndSandFillsItsFoot) {
     WorkerPool pool(1);
-    WholeGrid floor(60, 40);
+    FixedPointGrid floor(60, 40);
     for (int y = 0; y < 40; ++y) {
         for (int x = 20; x < 40; ++x) floor(x, y) = to_units(10.0);
     }
-    WholeGrid surface = floor;
+    FixedPointGrid surface = floor;
     for (std::int64_t& height : surface.values()) height += to_units(0.5);
     const std::int64_t sand = total(surface) - total(floor);
     SlopeRelaxation slopes({60, 40, 1.0, 1.0, true, true}, {}, pool);
@@ -240,8 +240,8 @@ TEST(SlopeRelaxation, RockStaysSteepAndSandFillsItsFoot) {
 
 TEST(SlopeRelaxation, AnglesMayDifferFromCellToCell) {
     WorkerPool pool(2);
-    WholeGrid surface = rough(80, 40, 15.0);
-    const WholeGrid floor(80, 40);
+    FixedPointGrid surface = rough(80, 40, 15.0);
+    const FixedPointGrid floor(80, 40);
     SlopeRelaxation slopes({80, 40, 1.0, 1.0, false, true}, {}, pool);
     Grid angles(80, 40, 20.0);
     for (int y = 0; y < 40; ++y) {
@@ -261,8 +261,8 @@ TEST(SlopeRelaxation, AnglesMayDifferFromCellToCell) {
 
 TEST(SlopeRelaxation, TheCapOnPassesIsReported) {
     WorkerPool pool(1);
-    WholeGrid surface(30, 30);
-    const WholeGrid floor(30, 30);
+    FixedPointGrid surface(30, 30);
+    const FixedPointGrid floor(30, 30);
     surface(15, 15) = to_units(50.0);
     SlopeRelaxation slopes({30, 30, 1.0, 1.0, true, true}, {}, pool);
     const auto outcome = slopes.relax(surface, floor, 5);
@@ -273,8 +273,8 @@ TEST(SlopeRelaxation, TheCapOnPassesIsReported) {
 
 TEST(SlopeRelaxation, OneCellAfterTheOtherComesToTheSameAngle) {
     WorkerPool pool(1);
-    WholeGrid surface(80, 80);
-    const WholeGrid floor(80, 80);
+    FixedPointGrid surface(80, 80);
+    const FixedPointGrid floor(80, 80);
     SlopeRelaxation slopes({80, 80, 1.0, 1.0, true, true}, {}, pool);
     const std::vector<std::size_t> centre{40 * 80 + 40};
     for (int portion = 0; portion < 400; ++portion) {

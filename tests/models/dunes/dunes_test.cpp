@@ -23,7 +23,7 @@ ModelSetup setup(Grid bed, WorkerPool& pool, double cell = 1.0) {
     return {std::move(bed), {}, {cell, cell, 1.0, true}, 7, pool};
 }
 
-std::int64_t sum(const WholeGrid& grid) {
+std::int64_t sum(const FixedPointGrid& grid) {
     return std::accumulate(grid.values().begin(), grid.values().end(), std::int64_t{0});
 }
 
@@ -89,7 +89,7 @@ TEST(Dunes, SandIsConservedToTheLastUnitInEveryStep) {
             ASSERT_GE(dunes.bed().surface.values()[cell], dunes.bed().rock.values()[cell]);
             ASSERT_GE(dunes.bed().moving.values()[cell], 0);
         }
-        EXPECT_EQ(dunes.doubt(), "");
+        EXPECT_EQ(dunes.plausibility_warning(), "");
     }
 }
 
@@ -151,7 +151,7 @@ TEST(Dunes, ShearStressLeadsTheCrests) {
     for (const auto& [m, n] :
          {std::pair{3, 0}, std::pair{0, 2}, std::pair{2, 3}, std::pair{-2, 1}, std::pair{5, -4}}) {
         for (const double from : {270.0, 200.0}) {
-            const WindTurns turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
+            const WindSchedule turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
             const BlowingWind wind = turns.at(0);
             const double pi = std::acos(-1.0);
             const double kx = 2.0 * pi * m / (nx * 2.0);
@@ -181,7 +181,7 @@ TEST(Dunes, ShearStressForgetsEarlierBeds) {
     WorkerPool pool(1);
     for (const int nx : {59, 60, 61, 64}) {
         const DuneGround ground{nx, 30, 1.0, 1.0, true, true};
-        const WindTurns turns({{250.0, 1.0, 1.0}}, [](double) { return 1.0; });
+        const WindSchedule turns({{250.0, 1.0, 1.0}}, [](double) { return 1.0; });
         ReliefShear shear(ground, 3.5, 2.0, pool);
         const Grid bed = uneven_bed(nx, 30, 2.0);
         Grid first = bed;
@@ -196,7 +196,7 @@ TEST(Dunes, ShearStressForgetsEarlierBeds) {
 }
 
 TEST(Dunes, WindsBlowInTurn) {
-    const WindTurns turns({{270.0, 1.0, 0.5}, {0.0, 2.0, 0.2}}, [](double) { return 0.1; });
+    const WindSchedule turns({{270.0, 1.0, 0.5}, {0.0, 2.0, 0.2}}, [](double) { return 0.1; });
     EXPECT_EQ(turns.at(0).x, 1.0);
     EXPECT_EQ(turns.at(0).y, 0.0);
     EXPECT_EQ(turns.at(4).x, 1.0);
@@ -212,7 +212,7 @@ TEST(Dunes, GustsAreDrawnAboutTheWind) {
     wind.gust_strength = 0.3;
     wind.gust_duration = 0.2;
     const auto length = [](double) { return 0.1; };
-    const WindTurns turns({wind}, length, 5);
+    const WindSchedule turns({wind}, length, 5);
     double angle_squares = 0.0;
     double strength_squares = 0.0;
     double strength_sum = 0.0;
@@ -230,10 +230,10 @@ TEST(Dunes, GustsAreDrawnAboutTheWind) {
     EXPECT_NEAR(strength_sum / gusts, 2.0, 0.03);
     EXPECT_NEAR(std::sqrt(strength_squares / gusts), 0.6, 0.03);
     EXPECT_NE(turns.at(0).y, turns.at(2).y);
-    EXPECT_NE(turns.at(0).y, WindTurns({wind}, length, 6).at(0).y) << "another seed";
+    EXPECT_NE(turns.at(0).y, WindSchedule({wind}, length, 6).at(0).y) << "another seed";
     wind.gust_angle = 0.0;
     wind.gust_strength = 0.0;
-    EXPECT_EQ(WindTurns({wind}, length, 5).at(7).x, 1.0);
+    EXPECT_EQ(WindSchedule({wind}, length, 5).at(7).x, 1.0);
 }
 
 /// A dune at the inflow feels nothing of one at the outflow, which would be right before it if the
@@ -251,7 +251,7 @@ TEST(Dunes, AcrossOpenEdgesNothingIsFelt) {
     };
     for (const bool along_x : {true, false}) {
         const DuneGround ground{n, n, 1.0, 1.0, !along_x, along_x};
-        const WindTurns turns({{along_x ? 270.0 : 180.0, 1.0, 1.0}}, [](double) { return 1.0; });
+        const WindSchedule turns({{along_x ? 270.0 : 180.0, 1.0, 1.0}}, [](double) { return 1.0; });
         ReliefShear shear(ground, 3.5, 2.0, pool);
         Grid alone(n, n);
         bump(alone, along_x ? 8.0 : 48.0, along_x ? 48.0 : 8.0);
@@ -351,7 +351,7 @@ TEST(Dunes, TheCapOnPassesIsADoubt) {
     bed(15, 15) = 30.0;
     Dunes model(dunes, setup(std::move(bed), pool));
     model.step();
-    EXPECT_NE(model.doubt().find("had not come to rest"), std::string::npos);
+    EXPECT_NE(model.plausibility_warning().find("had not come to rest"), std::string::npos);
 }
 
 }  // namespace

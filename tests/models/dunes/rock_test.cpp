@@ -22,7 +22,7 @@ ModelSetup thin_sand(int nx, int ny, double thickness, WorkerPool& pool) {
     return {Grid(nx, ny, thickness), {}, {1.0, 1.0, 1.0, true}, 7, pool};
 }
 
-std::int64_t units_of(const WholeGrid& grid) {
+std::int64_t units_of(const FixedPointGrid& grid) {
     return std::accumulate(grid.values().begin(), grid.values().end(), std::int64_t{0});
 }
 
@@ -38,7 +38,7 @@ struct Axes {
 };
 
 /// Of the cells that stand out of the plain by more than a third of the greatest height over it.
-Axes axes_of_hill(const WholeGrid& rock) {
+Axes axes_of_hill(const FixedPointGrid& rock) {
     std::vector<std::int64_t> heights(rock.values().begin(), rock.values().end());
     std::ranges::sort(heights);
     const std::int64_t plain = heights[heights.size() / 2];
@@ -119,13 +119,13 @@ TEST(WornRock, LevelRockLosesItsShareOfWhatLands) {
     WorkerPool pool(1);
     const DuneGround ground{20, 10, 1.0, 1.0, true, true};
     RockWear rock(ground, {0.01, std::tan(68.0 * std::acos(-1.0) / 180.0)}, pool);
-    DuneBed bed{WholeGrid(20, 10), WholeGrid(20, 10), WholeGrid(20, 10)};
+    DuneBed bed{FixedPointGrid(20, 10), FixedPointGrid(20, 10), FixedPointGrid(20, 10)};
     bed.surface(7, 4) = to_units(0.025);
     bed.surface(9, 4) = to_units(0.06);
-    const WindTurns turns({{270.0, 1.0, 1.0}}, [](double) { return 1.0; });
+    const WindSchedule turns({{270.0, 1.0, 1.0}}, [](double) { return 1.0; });
     Grid cover(20, 10);
     cover(3, 4) = 0.75;
-    rock.wear(bed, turns.at(0), WholeGrid(20, 10, to_units(0.4)), 0.5, &cover);
+    rock.wear(bed, turns.at(0), FixedPointGrid(20, 10, to_units(0.4)), 0.5, &cover);
     EXPECT_NEAR(to_metres(bed.rock(2, 2)), -0.002, 1e-9);
     EXPECT_NEAR(to_metres(bed.surface(2, 2)), -0.002, 1e-9);
     EXPECT_NEAR(to_metres(bed.moving(2, 2)), 0.002, 1e-9);
@@ -139,27 +139,27 @@ TEST(WornRock, SlopesThatFaceTheWindLoseMost) {
     WorkerPool pool(1);
     const DuneGround ground{40, 10, 1.0, 1.0, true, true};
     RockWear rock(ground, {0.01, std::tan(68.0 * std::acos(-1.0) / 180.0)}, pool);
-    DuneBed bed{WholeGrid(40, 10), WholeGrid(40, 10), WholeGrid(40, 10)};
+    DuneBed bed{FixedPointGrid(40, 10), FixedPointGrid(40, 10), FixedPointGrid(40, 10)};
     for (int y = 0; y < 10; ++y) {
         for (int x = 0; x < 40; ++x) bed.rock(x, y) = to_units(0.4 * (x < 20 ? x : 40 - x));
     }
     bed.surface = bed.rock;
-    const WholeGrid first = bed.rock;
-    const WindTurns turns({{270.0, 1.0, 1.0}}, [](double) { return 1.0; });
-    rock.wear(bed, turns.at(0), WholeGrid(40, 10, to_units(0.1)), 1.0, nullptr);
+    const FixedPointGrid first = bed.rock;
+    const WindSchedule turns({{270.0, 1.0, 1.0}}, [](double) { return 1.0; });
+    rock.wear(bed, turns.at(0), FixedPointGrid(40, 10, to_units(0.1)), 1.0, nullptr);
     EXPECT_NEAR(to_metres(first(10, 5) - bed.rock(10, 5)), 0.003, 1e-9) << "1 + .4 / .2";
     EXPECT_EQ(bed.rock(30, 5), first(30, 5)) << "in the lee";
 }
 
 TEST(WornRock, GrainsReachWhatRisesGentlyAndHardlyAbove) {
     const DuneGround ground{60, 60, 1.0, 1.0, true, true};
-    WholeGrid surface(60, 60);
+    FixedPointGrid surface(60, 60);
     for (int y = 25; y < 35; ++y) {
         for (int x = 20; x < 40; ++x) surface(x, y) = to_units(2.0);
     }
     const double climb = std::tan(15.0 * std::acos(-1.0) / 180.0);
     for (const double from : {270.0, 90.0}) {
-        const WindTurns turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
+        const WindSchedule turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
         WorkerPool pool(2);
         AbrasionReach reach(ground, 0.5, pool);
         reach.find(surface, turns.at(0));
@@ -191,7 +191,7 @@ TEST(WornRock, HillsBecomeYardangs) {
     dunes.winds = {{270.0, 1.0, 1.0, {}, 10.0, 0.0, 0.02}};
     dunes.features = {{FeatureKind::rock, FeatureShape::hill, 32.0, 20.0, 22.0, 12.0, 4.0, 130.0}};
     Dunes model(dunes, thin_sand(112, 40, 0.0, pool));
-    const WholeGrid& rock = model.bed().rock;
+    const FixedPointGrid& rock = model.bed().rock;
     const Axes first = axes_of_hill(rock);
     EXPECT_LT(first.ratio, 2.0);
     EXPECT_GT(std::abs(first.angle), 30.0);
@@ -212,7 +212,7 @@ TEST(WornRock, CrumblesToItsAngleOfRepose) {
     Dunes model(dunes, thin_sand(48, 48, 0.0, pool));
     EXPECT_EQ(model.bed().rock(24, 24), to_units(8.0));
     while (model.time() < 0.2) model.step();
-    const WholeGrid& rock = model.bed().rock;
+    const FixedPointGrid& rock = model.bed().rock;
     double steepest = 0.0;
     for (int y = 1; y < 47; ++y) {
         for (int x = 1; x < 47; ++x) {
@@ -272,7 +272,7 @@ TEST(Features, SourcesAreFilledUpAgainAndCounted) {
             {FeatureKind::source, FeatureShape::cone, 14.0, 12.0, 16.0, 16.0, 4.0, 90.0}};
         Dunes dunes(parameters, thin_sand(48, 24, 0.0, pool));
         const std::int64_t first = sand_less_sources(dunes.bed());
-        const WholeGrid source = dunes.bed().surface;
+        const FixedPointGrid source = dunes.bed().surface;
         std::int64_t inflow = 0;
         for (int step = 0; step < 40; ++step) {
             dunes.step();

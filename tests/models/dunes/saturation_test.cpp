@@ -41,7 +41,7 @@ double saturated_after(DunesParameters dunes, double from, double cell) {
     WorkerPool pool(1);
     Dunes model(dunes, box_of(std::move(bed), pool, cell));
     for (int n = 0; n < 150; ++n) model.step();
-    const WholeGrid before = model.bed().surface;
+    const FixedPointGrid before = model.bed().surface;
     model.step();
     const double whole = std::abs(std::sin(from * degree)) * dunes.flux * step / cell;  // m
     const double reached = (1.0 - std::exp(-1.0)) * whole;

@@ -19,11 +19,11 @@ TEST(Walls, TurnTheWindBackAtTheirFoot) {
                                        std::tuple{180.0, 0, -1}, std::tuple{0.0, 0, 1}}) {
         SCOPED_TRACE(from);
         const DuneGround ground{60, 60, 1.0, 1.0, true, true};
-        WholeGrid surface(60, 60);
+        FixedPointGrid surface(60, 60);
         for (int y = 25; y < 35; ++y) {
             for (int x = 25; x < 35; ++x) surface(x, y) = to_units(10.0);
         }
-        const WindTurns turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
+        const WindSchedule turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
         WorkerPool pool(2);
         WindwardWalls walls(ground, std::tan(55.0 * std::acos(-1.0) / 180.0), 0.8, pool);
         walls.find(surface, turns.at(0));
@@ -67,14 +67,14 @@ TEST(Walls, WindsAlongThemBlowTowardTheirEnds) {
         const DuneGround ground{60, 60, 1.0, 1.0, true, true};
         const bool along_x = from == 270.0;
         for (const int width : {20, 60}) {
-            WholeGrid surface(60, 60);
+            FixedPointGrid surface(60, 60);
             for (int i = 25; i < 35; ++i) {
                 for (int j = 0; j < width; ++j) {
                     const int across = (50 + j) % 60;  // over an edge
                     surface(along_x ? i : across, along_x ? across : i) = to_units(10.0);
                 }
             }
-            const WindTurns turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
+            const WindSchedule turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
             WorkerPool pool(2);
             WindwardWalls walls(ground, std::tan(55.0 * std::acos(-1.0) / 180.0), 0.8, pool);
             walls.find(surface, turns.at(0));

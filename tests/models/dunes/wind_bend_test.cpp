@@ -22,7 +22,7 @@ constexpr int ny = 64;
 const DuneGround ground{nx, ny, 10.0, 10.0, true, true};
 
 BlowingWind wind_from(double degrees) {
-    return WindTurns({{degrees, 1.0, 1.0}}, [](double) { return 1.0; }).at(0);
+    return WindSchedule({{degrees, 1.0, 1.0}}, [](double) { return 1.0; }).at(0);
 }
 
 /// A wave of the ground with so many crests along x and y.
@@ -72,7 +72,7 @@ TEST(WindBend, StressAcrossTheWindIsThatOfTheLinearTheory) {
 TEST(WindBend, ContoursLeadTheWindAsPublished) {
     WorkerPool pool(2);
     const GroundWave wave{2.0, 1.0, 60.0};
-    WholeGrid surface(nx, ny);
+    FixedPointGrid surface(nx, ny);
     for (int y = 0; y < ny; ++y) {
         for (int x = 0; x < nx; ++x)
             surface(x, y) = to_units(wave.height * std::cos(wave.phase(x, y)));

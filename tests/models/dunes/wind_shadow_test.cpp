@@ -21,11 +21,11 @@ TEST(WindShadow, LiesBehindAWall) {
          {std::tuple{270.0, 1, 0}, std::tuple{90.0, -1, 0}, std::tuple{180.0, 0, 1},
           std::tuple{0.0, 0, -1}, std::tuple{225.0, 1, 1}}) {
         DuneGround ground{64, 64, 1.0, 1.0, true, true};
-        WholeGrid surface(64, 64);
+        FixedPointGrid surface(64, 64);
         for (int y = 28; y < 36; ++y) {
             for (int x = 28; x < 36; ++x) surface(x, y) = to_units(3.0);
         }
-        const WindTurns turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
+        const WindSchedule turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
         WindShadow shadow(ground, pool);
         const double full = std::tan(std::acos(-1.0) / 12.0);
         shadow.cast(surface, turns.at(0), {0.5 * full, full}, WindShadow::Find::shade_and_envelope);
@@ -53,9 +53,9 @@ TEST(WindShadow, LiesBehindAWall) {
 TEST(WindShadow, GoesRoundAPeriodicBed) {
     WorkerPool pool(1);
     DuneGround ground{50, 10, 1.0, 1.0, true, true};
-    WholeGrid surface(50, 10);
+    FixedPointGrid surface(50, 10);
     for (int y = 0; y < 10; ++y) surface(45, y) = to_units(4.0);
-    const WindTurns turns({{270.0, 1.0, 1.0}}, [](double) { return 1.0; });
+    const WindSchedule turns({{270.0, 1.0, 1.0}}, [](double) { return 1.0; });
     WindShadow shadow(ground, pool);
     shadow.cast(surface, turns.at(0), {0.25, 0.25}, WindShadow::Find::shade_and_envelope);
     EXPECT_EQ(shadow.shade()(49, 5), 1.0);
@@ -72,8 +72,8 @@ TEST(WindShadow, IsTheSameWhereverLinesAreCutApart) {
     constexpr int nx = 150;
     constexpr int ny = 134;
     constexpr int moved = 29;
-    WholeGrid surface(nx, ny);
-    WholeGrid beside(nx, ny);
+    FixedPointGrid surface(nx, ny);
+    FixedPointGrid beside(nx, ny);
     const Grid heights = uneven_bed(nx, ny, 6.0);
     for (int y = 0; y < ny; ++y) {
         for (int x = 0; x < nx; ++x) {
@@ -85,8 +85,8 @@ TEST(WindShadow, IsTheSameWhereverLinesAreCutApart) {
         const DuneGround ground{nx, ny, 1.0, 1.0, periodic, periodic};
         for (const double from : {270.0, 90.0, 258.0, 301.0, 180.0, 10.0, 225.0}) {
             SCOPED_TRACE(from);
-            const WindTurns turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
-            const auto shade_of = [&](const WholeGrid& bed, int threads) {
+            const WindSchedule turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
+            const auto shade_of = [&](const FixedPointGrid& bed, int threads) {
                 WorkerPool pool(threads);
                 WindShadow shadow(ground, pool);
                 shadow.cast(bed, turns.at(0), {0.2, 0.3}, WindShadow::Find::shade_and_envelope);

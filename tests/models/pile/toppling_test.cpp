@@ -75,9 +75,9 @@ TEST(TopplingDirection, CircularMeanIsHalfwayAndTheSameTurnedOrInAMirror) {
                 std::remainder(eighth * mean(before, incoming) - std::atan2(y, x), 8.0 * eighth);
             EXPECT_LE(std::abs(off), 0.5 * eighth + 1e-12) << before << ", " << incoming;
             // the other half step lies as far on the other side
-            const int former = direction_after(DirectionRule::circular_mean, before, incoming,
-                                               HalfStep::toward_former);
-            const double other = std::remainder(eighth * former - std::atan2(y, x), 8.0 * eighth);
+            const int previous = direction_after(DirectionRule::circular_mean, before, incoming,
+                                                 HalfStep::toward_previous);
+            const double other = std::remainder(eighth * previous - std::atan2(y, x), 8.0 * eighth);
             EXPECT_NEAR(other, -off, 1e-12) << before << ", " << incoming;
         }
     }

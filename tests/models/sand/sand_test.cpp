@@ -230,14 +230,16 @@ TEST(Sand, SaysWhenExponentialHopsHaveComeToGoRoundTheBox) {
     sand.amount = 0.5;
     WorkerPool pool(1);
     Sand small(sand, {random_bed(100, 2, 0.0, 3.0, 5), {}, {}, 1, pool});
-    EXPECT_EQ(small.doubt(), "") << "its first top hops within the box";
-    std::string doubt;
-    for (int step = 0; step < 200 && doubt.empty(); ++step) {
+    EXPECT_EQ(small.plausibility_warning(), "") << "its first top hops within the box";
+    std::string plausibility_warning;
+    for (int step = 0; step < 200 && plausibility_warning.empty(); ++step) {
         small.step();
-        doubt = small.doubt();
+        plausibility_warning = small.plausibility_warning();
     }
-    EXPECT_NE(doubt.find("round the box of 100: take a wider grid.nx"), std::string::npos) << doubt;
-    EXPECT_EQ(doubt.find('\n'), std::string::npos);
+    EXPECT_NE(plausibility_warning.find("round the box of 100: take a wider grid.nx"),
+              std::string::npos)
+        << plausibility_warning;
+    EXPECT_EQ(plausibility_warning.find('\n'), std::string::npos);
 }
 
 // ---- maxima-only creep against the plain sweep ----

@@ -16,7 +16,7 @@ namespace {
 /// What a cell gives, under half a metre of water that runs at (0.6, −0.8) m/s over a bed that
 /// rises by these slopes toward x and y.
 struct Given {
-    double x, y, down, entrainment, pace;
+    double x, y, down, entrainment, bed_rate;
 };
 Given given(const loads::PickUpLaw& law, double rise_x, double rise_y, double friction = 0.005) {
     const double depth = 0.5;
@@ -26,7 +26,7 @@ Given given(const loads::PickUpLaw& law, double rise_x, double rise_y, double fr
     const double south = -rise_y;
     Given is{};
     loads::pick_up_row(law, {&depth, &u, &v, &friction, bed.data() + 1, &south, &rise_y}, 2.0, 2.0,
-                       1, {&is.x, &is.y, &is.down, &is.entrainment, &is.pace});
+                       1, {&is.x, &is.y, &is.down, &is.entrainment, &is.bed_rate});
     return is;
 }
 
@@ -51,7 +51,7 @@ TEST(LoadVectors, GiveWhatTheLawsSay) {
     EXPECT_NEAR(level.y, -0.8 * q, 1e-12 * q);
     EXPECT_NEAR(level.down, 0.4 * q / std::sqrt(0.1), 1e-12 * q);
     EXPECT_NEAR(level.entrainment, 1e-5, 1e-17);
-    EXPECT_NEAR(level.pace, 3.0 * 2.0 * q / 0.5 + 2.0 * 2.0 * level.down + 1e-5 / 0.55, 1e-12);
+    EXPECT_NEAR(level.bed_rate, 3.0 * 2.0 * q / 0.5 + 2.0 * 2.0 * level.down + 1e-5 / 0.55, 1e-12);
 
     const Given downhill = given(law, -0.06, 0.08);  // 0.1 down the flow
     const double eased = 0.001 * 8.0 * std::pow(0.1 - 0.05 * (1.0 - 0.1 / 0.6), 1.5);

@@ -185,7 +185,7 @@ TEST(ShoreCells, NoFilmStaysBehindAFallingShore) {
     Setting setting = setting_of(one, cells);
     WorkerPool pool(1);
     FiniteVolumeScheme scheme(setting.parameters, setting.domain, pool);
-    scheme.take_means(setting.water, setting.bed);
+    scheme.convert_to_means(setting.water, setting.bed);
     double before = 0.0;
     for (const double depth : setting.water.depth.values()) before += depth;
     double step = scheme.step_at_courant_one(setting.water);
@@ -220,7 +220,7 @@ TEST(ShoreCells, FlowsThroughFacesAreAllThatMovesTheWater) {
     Setting setting = setting_of(one, cells);
     WorkerPool pool(1);
     FiniteVolumeScheme scheme(setting.parameters, setting.domain, pool);
-    scheme.take_means(setting.water, setting.bed);
+    scheme.convert_to_means(setting.water, setting.bed);
     FaceFlows flows(cells, cells);
     scheme.record(flows);
     for (int step = 0; step < 200; ++step) {
@@ -266,7 +266,7 @@ TEST(ShoreCells, PlanesAreTheSameForMirrorImagesExchangedAxesAndAnyThreads) {
         }
         WorkerPool pool(threads);
         FiniteVolumeScheme scheme(parameters, domain, pool);
-        scheme.take_means(water, bed);
+        scheme.convert_to_means(water, bed);
         for (int step = 0; step < 150; ++step) scheme.advance(water, bed, 0.05, 0.0);
         return water;
     };

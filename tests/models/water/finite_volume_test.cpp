@@ -40,7 +40,7 @@ TEST_P(LakeAtRest, StaysWithIslandsAndOnOblongCells) {
         for (const double level : {0.3, 1.4, 2.5}) {
             FiniteVolumeScheme scheme(parameters, domain, pool);
             Water water = lake(bed, level);
-            scheme.take_means(water, bed);
+            scheme.convert_to_means(water, bed);
             const Grid before = water.depth;
             for (int step = 0; step < 300; ++step)
                 scheme.advance(water, bed, 0.45 * scheme.step_at_courant_one(water), 0.0);

@@ -316,7 +316,7 @@ TEST(GaugeVolumes, AnyNumberOfThreadsReadsTheSameAndARunGoesOn) {
     one.to(5.0);
     const TemporaryFolder folder;
     CheckpointWriter writer(folder / "state");
-    one.gully.carry(writer);
+    one.gully.serialise(writer);
     writer.commit();
     one.to(10.0);
     three.to(10.0);
@@ -324,7 +324,7 @@ TEST(GaugeVolumes, AnyNumberOfThreadsReadsTheSameAndARunGoesOn) {
     GullyRun resumed(water, hill.bed, 2, 2.0, 3.0, hill.nodata);
     CheckpointReader reader(std::make_unique<std::ifstream>(folder / "state", std::ios::binary),
                             "state");
-    resumed.gully.carry(reader);
+    resumed.gully.serialise(reader);
     reader.finish();
     EXPECT_GT(resumed.number("all_discharge_m3s"), 0.0);
     resumed.to(10.0);

@@ -78,7 +78,7 @@ void rain_an_hour(Ground ground, GullyParameters gully, bool plausible) {
         ASSERT_LT(std::hypot(u.values()[i], v.values()[i]), 20.0) << "faster than water falls";
     }
     if (plausible) {
-        EXPECT_EQ(run.gully.doubt(), "");
+        EXPECT_EQ(run.gully.plausibility_warning(), "");
     }
 }
 
@@ -118,19 +118,24 @@ TEST(RainOnTerrain, SaysWhatErosionIsImplausibleAndWhatToSet) {
     gully.transport_factor = 0.1;
     const Ground ground = surveyed(15.0);
     GullyRun run(gully, ground.heights, 1, 15.0, 15.0, ground.nodata, true);
-    EXPECT_EQ(run.gully.doubt(), "") << "nothing has happened yet";
+    EXPECT_EQ(run.gully.plausibility_warning(), "") << "nothing has happened yet";
     run.to(1200.0);
-    const std::string doubt = run.gully.doubt();
-    EXPECT_NE(doubt.find("the bed sank by "), std::string::npos) << doubt;
-    EXPECT_NE(doubt.find(" m at cell ("), std::string::npos) << doubt;
-    EXPECT_NE(doubt.find("in the first 1200 s"), std::string::npos) << doubt;
-    EXPECT_NE(doubt.find("a smaller model.transport_factor, about "), std::string::npos) << doubt;
-    EXPECT_NE(doubt.find("instead of 0.1"), std::string::npos) << doubt;
-    EXPECT_EQ(doubt.find('\n'), std::string::npos);
+    const std::string plausibility_warning = run.gully.plausibility_warning();
+    EXPECT_NE(plausibility_warning.find("the bed sank by "), std::string::npos)
+        << plausibility_warning;
+    EXPECT_NE(plausibility_warning.find(" m at cell ("), std::string::npos) << plausibility_warning;
+    EXPECT_NE(plausibility_warning.find("in the first 1200 s"), std::string::npos)
+        << plausibility_warning;
+    EXPECT_NE(plausibility_warning.find("a smaller model.transport_factor, about "),
+              std::string::npos)
+        << plausibility_warning;
+    EXPECT_NE(plausibility_warning.find("instead of 0.1"), std::string::npos)
+        << plausibility_warning;
+    EXPECT_EQ(plausibility_warning.find('\n'), std::string::npos);
     gully.transport_factor = 1e-5;
     GullyRun gentle(gully, ground.heights, 1, 15.0, 15.0, ground.nodata, true);
     gentle.to(1200.0);
-    EXPECT_EQ(gentle.gully.doubt(), "");
+    EXPECT_EQ(gentle.gully.plausibility_warning(), "");
 }
 
 TEST(RainOnTerrain, AutomaticValuesAreThePapersElsewhere) {

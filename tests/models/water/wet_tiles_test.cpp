@@ -101,7 +101,7 @@ TEST_P(PassedOver, GivesTheBitsOfAllCells) {
     }
     WaterDomain domain;
     domain.edges_x = domain.edges_y = GetParam();
-    domain.stretches = stretches_of(parameters, domain, nx, ny);
+    domain.segments = edge_segments_of(parameters, domain, nx, ny);
     domain.nodata = Mask(nx, ny);
     if (GetParam() != EdgeKind::periodic) domain.nodata(70, 40) = 1;
     const Grid bed = noise(nx, ny, 0.1);

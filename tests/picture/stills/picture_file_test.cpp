@@ -80,11 +80,11 @@ TEST(PictureFile, PixelsComeBackWithinTheLossOfTheFormat) {
     EXPECT_LE(largest_loss(decode_jpeg(text_of(jpeg), "a.jpg"), image), 4);
     const auto lossy = encode_picture(image, PictureFormat::webp, {}, 300, {});
     EXPECT_LE(largest_loss(decode_webp(text_of(lossy), "a.webp"), image), 12);
-    const Image seen_through = shaded(67, 41, true);
-    const auto whole = encode_picture(seen_through, PictureFormat::webp, {92, true}, 300, {});
-    EXPECT_EQ(decode_webp(text_of(whole), "a.webp"), seen_through);
-    const auto coarse = encode_picture(seen_through, PictureFormat::webp, {50, false}, 300, {});
-    EXPECT_EQ(decode_webp(text_of(coarse), "a.webp").alpha, seen_through.alpha);
+    const Image transparent = shaded(67, 41, true);
+    const auto whole = encode_picture(transparent, PictureFormat::webp, {92, true}, 300, {});
+    EXPECT_EQ(decode_webp(text_of(whole), "a.webp"), transparent);
+    const auto coarse = encode_picture(transparent, PictureFormat::webp, {50, false}, 300, {});
+    EXPECT_EQ(decode_webp(text_of(coarse), "a.webp").alpha, transparent.alpha);
     EXPECT_LT(encode_picture(image, PictureFormat::jpeg, {30, false}, 300, {}).size(), jpeg.size());
     EXPECT_EQ(encode_picture(image, PictureFormat::jpeg, {}, 300, {}), jpeg);
 }

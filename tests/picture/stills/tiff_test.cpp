@@ -21,11 +21,11 @@ using test::message_of;
 using test::TemporaryFolder;
 
 /// Colours that differ from pixel to pixel; opacities likewise.
-Image tiff_sample(bool seen_through) {
+Image tiff_sample(bool has_transparency) {
     Image image(37, 23);
     std::uint8_t level = 7;
     for (std::uint8_t& value : image.rgb) value = level = static_cast<std::uint8_t>(level * 5 + 11);
-    if (seen_through) {
+    if (has_transparency) {
         image = with_alpha(image);
         image.alpha[3] = 0;
         image.alpha[4] = 255;
@@ -42,8 +42,8 @@ std::string text_of_tiff(const std::vector<std::uint8_t>& bytes) {
 }
 
 TEST(TiffFile, HasPixelsTextsAndDotsPerInch) {
-    for (const bool seen_through : {false, true}) {
-        const Image image = tiff_sample(seen_through);
+    for (const bool has_transparency : {false, true}) {
+        const Image image = tiff_sample(has_transparency);
         const auto bytes = encode_tiff(image, 600.0, tiff_sample_texts());
         EXPECT_EQ(bytes, encode_tiff(image, 600.0, tiff_sample_texts()));
         const std::string file = text_of_tiff(bytes);
@@ -51,7 +51,7 @@ TEST(TiffFile, HasPixelsTextsAndDotsPerInch) {
         EXPECT_EQ(tiff_texts(file, "a.tif"), tiff_sample_texts());
         const Image read = decode_tiff(file, "a.tif");
         EXPECT_EQ(read.alpha, image.alpha);
-        if (!seen_through) {
+        if (!has_transparency) {
             EXPECT_EQ(read.rgb, image.rgb);
         }
         const TemporaryFolder folder;

@@ -98,9 +98,9 @@ TEST(ColourRange, FollowsWhatIsColoured) {
 }
 
 FrameColourRange colours_of(const LookSettings& look, const Snapshot& snapshot,
-                            const FrameColourRange& former, bool keeps) {
+                            const FrameColourRange& previous, bool keeps) {
     return frame_colour_range(look, snapshot, coloured_values(look.colour_by, snapshot, snapshot),
-                              former, keeps);
+                              previous, keeps);
 }
 
 TEST(ColourRange, IsKeptFromTheFirstPictureWhoseValuesDiffer) {

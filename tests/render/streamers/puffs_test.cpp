@@ -83,7 +83,7 @@ TEST(BlownSand, FollowsTheWindOfTheStep) {
     Snapshot bed = slip_face(2.0);
     bed.winds = {{1.0, 0.0, 1.0}, {0.0, 1.0, 1.0}};
     bed.numbers = {{"wind_from", "degrees", 270.0}};
-    const Way way = sand_of(bed).way;
+    const HorizontalDirection way = sand_of(bed).way;
     EXPECT_NEAR(way.x, 1.0, 1e-12);
     EXPECT_NEAR(way.y, 0.0, 1e-12);
 }

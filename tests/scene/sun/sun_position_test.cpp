@@ -11,7 +11,7 @@
 namespace fumon {
 namespace {
 
-SkyPlace sun_seen_from(double latitude, double longitude, const std::string& time) {
+SkyPosition sun_seen_from(double latitude, double longitude, const std::string& time) {
     return sun_position(latitude, longitude, days_from_2000(time));
 }
 
@@ -36,7 +36,7 @@ double midnight_height(double latitude, const std::string& day) {
 /// Reda & Andreas (2008), "Solar position algorithm for solar radiation applications", NREL
 /// TP-560-34302, appendix 5: at 1830 m and 820 mbar, where air refracts by 0.004° less.
 TEST(SunPosition, IsThatOfNrelsExample) {
-    const SkyPlace sun = sun_seen_from(39.742476, -105.1786, "2003-10-17T12:30:30-07:00");
+    const SkyPosition sun = sun_seen_from(39.742476, -105.1786, "2003-10-17T12:30:30-07:00");
     EXPECT_NEAR(sun.azimuth, 194.34024, 0.01);
     EXPECT_NEAR(90.0 - sun.elevation, 50.11162, 0.01);
 }
@@ -44,7 +44,7 @@ TEST(SunPosition, IsThatOfNrelsExample) {
 /// Meeus (1998), example 25.a: declination −7.78507° (apparent) on 1992-10-13 at 0 h dynamical
 /// time; seen from the Earth's pole it is the elevation, which refraction does not reach there.
 TEST(SunPosition, HasTheDeclinationOfMeeussExample) {
-    const SkyPlace sun = sun_seen_from(-90.0, 0.0, "1992-10-12T23:59:01Z");
+    const SkyPosition sun = sun_seen_from(-90.0, 0.0, "1992-10-12T23:59:01Z");
     const double refracted = 1.02 / 60.0 / std::tan((7.785 + 10.3 / (7.785 + 5.11)) * M_PI / 180.0);
     EXPECT_NEAR(sun.elevation, 7.78507 - 0.00242 + refracted, 0.002);
 }
@@ -60,8 +60,8 @@ TEST(SunPosition, StandsOverTheEquatorAtTheEquinox) {
         double rise = 0.0;
         double set = 0.0;
         for (int minute = 1; minute < 1440; ++minute) {
-            const SkyPlace before = sun_position(latitude, 0.0, start + (minute - 1) / 1440.0);
-            const SkyPlace now = sun_position(latitude, 0.0, start + minute / 1440.0);
+            const SkyPosition before = sun_position(latitude, 0.0, start + (minute - 1) / 1440.0);
+            const SkyPosition now = sun_position(latitude, 0.0, start + minute / 1440.0);
             if (before.elevation < 0.0 && now.elevation >= 0.0) rise = now.azimuth;
             if (before.elevation >= 0.0 && now.elevation < 0.0) set = now.azimuth;
         }
@@ -83,9 +83,9 @@ TEST(SunPosition, NeverRisesOrSetsBeyondThePolarCircle) {
 }
 
 TEST(SunPosition, IsInTheNorthAtNoonInTheSouthernHemisphere) {
-    const SkyPlace gobabeb = sun_seen_from(-23.56, 15.04, "2026-06-21T11:02Z");
+    const SkyPosition gobabeb = sun_seen_from(-23.56, 15.04, "2026-06-21T11:02Z");
     EXPECT_LT(std::min(gobabeb.azimuth, 360.0 - gobabeb.azimuth), 2.0);
-    const SkyPlace tunis = sun_seen_from(36.8, 10.18, "2026-06-21T11:21Z");
+    const SkyPosition tunis = sun_seen_from(36.8, 10.18, "2026-06-21T11:21Z");
     EXPECT_NEAR(tunis.azimuth, 180.0, 2.0);
     EXPECT_LT(sun_seen_from(-23.56, 15.04, "2026-06-21T08:00Z").azimuth, 90.0);
     EXPECT_GT(sun_seen_from(-23.56, 15.04, "2026-06-21T14:00Z").azimuth, 270.0);

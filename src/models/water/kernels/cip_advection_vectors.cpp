@@ -34,8 +34,8 @@ struct Upwind {
 };
 
 template <class D, bool held>
-HWY_INLINE void advect(D d, std::size_t x, const CarriedStencil& before, const Upwind<D>& from,
-                       const CarriedRow& after) {
+HWY_INLINE void advect(D d, std::size_t x, const AdvectedStencil& before, const Upwind<D>& from,
+                       const AdvectedRow& after) {
     using V = hn::Vec<D>;
     const auto load = [&](const double* row) HWY_ATTR { return hn::LoadU(d, row + x); };
     const auto along_x = [&](const double* row) HWY_ATTR {
@@ -90,11 +90,11 @@ HWY_INLINE void advect(D d, std::size_t x, const CarriedStencil& before, const U
 }
 
 struct Advect {
-    CarriedStencil before;
+    AdvectedStencil before;
     Velocity by;
     double per_x;
     double per_y;
-    CarriedRow after;
+    AdvectedRow after;
 
     template <class D>
     HWY_INLINE void operator()(D d, std::size_t x) const {
@@ -105,12 +105,12 @@ struct Advect {
 
 template <bool held>
 struct AdvectVelocities {
-    CarriedStencil u;
-    CarriedStencil v;
+    AdvectedStencil u;
+    AdvectedStencil v;
     double per_x;
     double per_y;
-    CarriedRow u_after;
-    CarriedRow v_after;
+    AdvectedRow u_after;
+    AdvectedRow v_after;
 
     template <class D>
     HWY_INLINE void operator()(D d, std::size_t x) const {
@@ -121,19 +121,23 @@ struct AdvectVelocities {
     }
 };
 
-void advect_row(const CarriedStencil& before, const Velocity& by, const SubStep& step, int count,
-                const CarriedRow& after) {
-    for_each_vector_anew(count, Advect{before, by, step.dt / step.dx, step.dt / step.dy, after});
+void advect_row(const AdvectedStencil& before, const Velocity& by, const SubStep& step, int count,
+                const AdvectedRow& after) {
+    for_each_vector_overlapping(count,
+                                Advect{before, by, step.dt / step.dx, step.dt / step.dy, after});
 }
 
-void advect_velocities(const CarriedStencil& u, const CarriedStencil& v, const SubStep& step,
-                       bool held, int count, const CarriedRow& u_after, const CarriedRow& v_after) {
+void advect_velocities(const AdvectedStencil& u, const AdvectedStencil& v, const SubStep& step,
+                       bool held, int count, const AdvectedRow& u_after,
+                       const AdvectedRow& v_after) {
     const double per_x = step.dt / step.dx;
     const double per_y = step.dt / step.dy;
     if (held) {
-        for_each_vector_anew(count, AdvectVelocities<true>{u, v, per_x, per_y, u_after, v_after});
+        for_each_vector_overlapping(count,
+                                    AdvectVelocities<true>{u, v, per_x, per_y, u_after, v_after});
     } else {
-        for_each_vector_anew(count, AdvectVelocities<false>{u, v, per_x, per_y, u_after, v_after});
+        for_each_vector_overlapping(count,
+                                    AdvectVelocities<false>{u, v, per_x, per_y, u_after, v_after});
     }
 }
 
@@ -147,13 +151,14 @@ namespace fumon::cip {
 HWY_EXPORT(advect_row);
 HWY_EXPORT(advect_velocities);
 
-void advect_row(const CarriedStencil& before, const Velocity& by, const SubStep& step, int count,
-                const CarriedRow& after) {
+void advect_row(const AdvectedStencil& before, const Velocity& by, const SubStep& step, int count,
+                const AdvectedRow& after) {
     HWY_DYNAMIC_DISPATCH(advect_row)(before, by, step, count, after);
 }
 
-void advect_velocities(const CarriedStencil& u, const CarriedStencil& v, const SubStep& step,
-                       bool held, int count, const CarriedRow& u_after, const CarriedRow& v_after) {
+void advect_velocities(const AdvectedStencil& u, const AdvectedStencil& v, const SubStep& step,
+                       bool held, int count, const AdvectedRow& u_after,
+                       const AdvectedRow& v_after) {
     HWY_DYNAMIC_DISPATCH(advect_velocities)(u, v, step, held, count, u_after, v_after);
 }
 

@@ -5,13 +5,13 @@
 namespace fumon::cip {
 
 /// A quantity with its gradient, which is kept per cell: ∂f/∂x·dx and ∂f/∂y·dy.
-struct CarriedStencil {
+struct AdvectedStencil {
     Stencil value;
     Stencil gradient_x;
     Stencil gradient_y;
 };
 
-struct CarriedRow {
+struct AdvectedRow {
     double* value;
     double* gradient_x;
     double* gradient_y;
@@ -20,12 +20,13 @@ struct CarriedRow {
 /// Advects a quantity with the velocity: the value and the gradient of its cubic interpolation at
 /// the place the water came from, in the cell upwind (CIP, type A: Yabe, Ishikawa, Wang, Aoki,
 /// Kadota & Ikeda 1991, Comput. Phys. Commun. 66).
-void advect_row(const CarriedStencil& before, const Velocity& by, const SubStep& step, int count,
-                const CarriedRow& after);
+void advect_row(const AdvectedStencil& before, const Velocity& by, const SubStep& step, int count,
+                const AdvectedRow& after);
 
 /// The same of the velocities themselves. Where `held`, a value stays between the four that it
 /// comes from: no extremum of its own.
-void advect_velocities(const CarriedStencil& u, const CarriedStencil& v, const SubStep& step,
-                       bool held, int count, const CarriedRow& u_after, const CarriedRow& v_after);
+void advect_velocities(const AdvectedStencil& u, const AdvectedStencil& v, const SubStep& step,
+                       bool held, int count, const AdvectedRow& u_after,
+                       const AdvectedRow& v_after);
 
 }  // namespace fumon::cip

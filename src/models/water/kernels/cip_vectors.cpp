@@ -245,20 +245,21 @@ struct Rates {
 
 void accelerate_row(const Stencil& depth, const Stencil& bed, const SubStep& step,
                     const Velocity& advected, int count, const Accelerated& after) {
-    for_each_vector_anew(count, Accelerate{Forces(depth, bed, step), advected, after});
+    for_each_vector_overlapping(count, Accelerate{Forces(depth, bed, step), advected, after});
 }
 
 void accelerate_row_steep(const Stencil& depth, const Stencil& bed, const SubStep& step,
                           const Velocity& advected, int count, const Accelerated& after) {
     const double plane = -step.pull * step.dy / step.gravity;
-    for_each_vector_anew(count, AccelerateSteep{Forces(depth, bed, step), plane, advected, after});
+    for_each_vector_overlapping(count,
+                                AccelerateSteep{Forces(depth, bed, step), plane, advected, after});
 }
 
 void accelerate_row_as_published(const Stencil& depth, const Stencil& bed, const Velocity& before,
                                  const SubStep& step, const Velocity& advected, int count,
                                  const Accelerated& after) {
-    for_each_vector_anew(count,
-                         AccelerateAsPublished{Forces(depth, bed, step), before, advected, after});
+    for_each_vector_overlapping(
+        count, AccelerateAsPublished{Forces(depth, bed, step), before, advected, after});
 }
 
 void turn_gradient_row(const Stencil& gained, const Stencil& u, const Stencil& v,
@@ -272,9 +273,11 @@ void turn_velocity_gradients(const ChangedStencil& u, const ChangedStencil& v, c
     const double half_x = 0.5 * step.dt / step.dx;
     const double half_y = 0.5 * step.dt / step.dy;
     if (held) {
-        for_each_vector_anew(count, TurnVelocityGradients<true>{u, v, half_x, half_y, of_u, of_v});
+        for_each_vector_overlapping(count,
+                                    TurnVelocityGradients<true>{u, v, half_x, half_y, of_u, of_v});
     } else {
-        for_each_vector_anew(count, TurnVelocityGradients<false>{u, v, half_x, half_y, of_u, of_v});
+        for_each_vector_overlapping(count,
+                                    TurnVelocityGradients<false>{u, v, half_x, half_y, of_u, of_v});
     }
 }
 

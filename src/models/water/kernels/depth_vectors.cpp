@@ -90,13 +90,13 @@ void thin_row(const double* depth, const double* advected, const Stencil& u, con
 }
 
 void through_faces(const FaceCells& cells, double per_cell, int count, double* faces) {
-    for_each_vector_anew(count, ThroughFaces{cells, per_cell, faces});
+    for_each_vector_overlapping(count, ThroughFaces{cells, per_cell, faces});
 }
 
 bool settle_row(const double* before, const double* faces_x, const double* faces_south,
                 const double* faces_north, double rain, int count, double* after) {
     bool overdrawn = false;
-    for_each_vector_anew(
+    for_each_vector_overlapping(
         count, Settle{before, faces_x, faces_south, faces_north, rain, after, &overdrawn});
     return overdrawn;
 }

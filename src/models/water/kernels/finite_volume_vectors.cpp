@@ -12,7 +12,7 @@ namespace HWY_NAMESPACE {
 
 using namespace vectors::HWY_NAMESPACE;
 
-constexpr double no_speed = 1e-300;
+constexpr double speed_floor = 1e-300;
 
 struct LoadCells {
     SourceRow from;
@@ -37,7 +37,7 @@ template <class V>
 HWY_INLINE V level_at_shore(V level, V half_slope, V depth, V surface, V head) {
     const V zero = constant<V>(0.0);
     const V over = larger(hn::Abs(half_slope) - depth, zero);
-    const V lift = over * over / larger(constant<V>(4.0) * depth, constant<V>(no_speed));
+    const V lift = over * over / larger(constant<V>(4.0) * depth, constant<V>(speed_floor));
     const auto is_wet = hn::Gt(depth, constant<V>(dry_depth));
     return hn::IfThenElse(is_wet, level - smaller(lift, head), larger(level, surface - head));
 }
@@ -109,7 +109,7 @@ struct FaceFluxes {
         const V c_star = half * (cl + cr) + hn::Set(d, 0.25) * (ul - ur);
         const V slowest = smaller(smaller(ul - cl, u_star - c_star), zero);
         const V quickest = larger(larger(ur + cr, u_star + c_star), zero);
-        const V share = hn::Set(d, 1.0) / larger(quickest - slowest, hn::Set(d, no_speed));
+        const V share = hn::Set(d, 1.0) / larger(quickest - slowest, hn::Set(d, speed_floor));
 
         const V ql = hl * ul;
         const V qr = hr * ur;
@@ -240,19 +240,21 @@ struct Rates {
 };
 
 void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int count) {
-    for_each_vector_anew(count, LoadCells{from, sign_y, to});
+    for_each_vector_overlapping(count, LoadCells{from, sign_y, to});
 }
 
 template <bool partly_wet>
-HWY_INLINE void take_fluxes(const CellRow& left, const HalfSlopes& left_slopes,
-                            const CellRow& right, const HalfSlopes& right_slopes, double gravity,
-                            const Fluxes& out, int count) {
+HWY_INLINE void compute_fluxes(const CellRow& left, const HalfSlopes& left_slopes,
+                               const CellRow& right, const HalfSlopes& right_slopes, double gravity,
+                               const Fluxes& out, int count) {
     if (left_slopes.bed != nullptr) {
-        for_each_vector_anew(count, FaceFluxes<true, partly_wet>{left, left_slopes, right,
-                                                                 right_slopes, gravity, out});
+        for_each_vector_overlapping(
+            count,
+            FaceFluxes<true, partly_wet>{left, left_slopes, right, right_slopes, gravity, out});
     } else {
-        for_each_vector_anew(count, FaceFluxes<false, partly_wet>{left, left_slopes, right,
-                                                                  right_slopes, gravity, out});
+        for_each_vector_overlapping(
+            count,
+            FaceFluxes<false, partly_wet>{left, left_slopes, right, right_slopes, gravity, out});
     }
 }
 
@@ -260,9 +262,9 @@ void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellR
                  const HalfSlopes& right_slopes, double gravity, bool partly_wet, const Fluxes& out,
                  int count) {
     if (partly_wet) {
-        take_fluxes<true>(left, left_slopes, right, right_slopes, gravity, out, count);
+        compute_fluxes<true>(left, left_slopes, right, right_slopes, gravity, out, count);
     } else {
-        take_fluxes<false>(left, left_slopes, right, right_slopes, gravity, out, count);
+        compute_fluxes<false>(left, left_slopes, right, right_slopes, gravity, out, count);
     }
 }
 
@@ -271,8 +273,8 @@ bool payable_shares(const double* depth, const double* mass_west, const double* 
                     double* shares, int count) {
     bool is_short = false;
     const Outward outward{mass_west, mass_east, mass_south, mass_north, dt_dx, dt_dy};
-    for_each_vector_anew(count, ShortOfWater{outward, depth, &is_short});
-    if (is_short) for_each_vector_anew(count, PayableShares{outward, depth, shares});
+    for_each_vector_overlapping(count, ShortOfWater{outward, depth, &is_short});
+    if (is_short) for_each_vector_overlapping(count, PayableShares{outward, depth, shares});
     return is_short;
 }
 

@@ -111,25 +111,25 @@ struct LimitedHalfSlopes {
 };
 
 template <bool tolerant, bool even_shores>
-HWY_INLINE void take_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
-                            const SlopeLimits& limits, const HalfSlopes& out, int count) {
+HWY_INLINE void compute_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
+                               const SlopeLimits& limits, const HalfSlopes& out, int count) {
     if (out.bed != nullptr) {
-        for_each_vector_anew(count, LimitedHalfSlopes<true, tolerant, even_shores>{
-                                        back, here, forward, limits, out});
+        for_each_vector_overlapping(count, LimitedHalfSlopes<true, tolerant, even_shores>{
+                                               back, here, forward, limits, out});
     } else {
-        for_each_vector_anew(count, LimitedHalfSlopes<false, tolerant, even_shores>{
-                                        back, here, forward, limits, out});
+        for_each_vector_overlapping(count, LimitedHalfSlopes<false, tolerant, even_shores>{
+                                               back, here, forward, limits, out});
     }
 }
 
 void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
                          const SlopeLimits& limits, const HalfSlopes& out, int count) {
     if (limits.tolerance > 0.0) {
-        limits.even_shores ? take_slopes<true, true>(back, here, forward, limits, out, count)
-                           : take_slopes<true, false>(back, here, forward, limits, out, count);
+        limits.even_shores ? compute_slopes<true, true>(back, here, forward, limits, out, count)
+                           : compute_slopes<true, false>(back, here, forward, limits, out, count);
     } else {
-        limits.even_shores ? take_slopes<false, true>(back, here, forward, limits, out, count)
-                           : take_slopes<false, false>(back, here, forward, limits, out, count);
+        limits.even_shores ? compute_slopes<false, true>(back, here, forward, limits, out, count)
+                           : compute_slopes<false, false>(back, here, forward, limits, out, count);
     }
 }
 

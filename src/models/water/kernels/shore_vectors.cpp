@@ -12,9 +12,9 @@ namespace HWY_NAMESPACE {
 
 using namespace vectors::HWY_NAMESPACE;
 
-constexpr double dry_depth = 1e-9;   // m, as for the fluxes
-constexpr double film_share = 0.3;   // of a cell's depth: what is thinner beyond it is a film
-constexpr double no_depth = 1e-300;  // m
+constexpr double dry_depth = 1e-9;      // m, as for the fluxes
+constexpr double film_share = 0.3;      // of a cell's depth: what is thinner beyond it is a film
+constexpr double depth_floor = 1e-300;  // m
 
 /// How the depth ends in a cell of mean depth `thin` beside one of depth `inner`.
 template <class V>
@@ -29,7 +29,7 @@ HWY_INLINE EndOfWater<V> end_of_water(V inner, V thin) {
     const V one = constant<V>(1.0);
     const V half = constant<V>(0.5);
     const V zero = constant<V>(0.0);
-    const V ratio = thin / larger(inner, constant<V>(no_depth));
+    const V ratio = thin / larger(inner, constant<V>(depth_floor));
     const V share = ratio + hn::Sqrt(ratio * ratio + ratio);
     const V drop = hn::IfThenElse(hn::Lt(share, one), inner / (share + half), inner - thin);
     const V dry_share = larger(one - share, zero);
@@ -127,7 +127,7 @@ struct ShoreHalfSlopes {
 
 void shore_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
                        double gravity, const HalfSlopes& out, int count) {
-    for_each_vector_anew(count, ShoreHalfSlopes{back, here, forward, gravity, out});
+    for_each_vector_overlapping(count, ShoreHalfSlopes{back, here, forward, gravity, out});
 }
 
 }  // namespace HWY_NAMESPACE

@@ -57,12 +57,12 @@ struct BoundSpeeds {
 };
 
 void largest_invariants(const CellRow& cells, double gravity, double* out, int count) {
-    for_each_vector_anew(count, LargestInvariants{cells, gravity, out});
+    for_each_vector_overlapping(count, LargestInvariants{cells, gravity, out});
 }
 
 void speed_bounds(const RowsAround& rows, const BoundFactors& factors, const SpeedBounds& out,
                   int count) {
-    for_each_vector_anew(count, BoundSpeeds{rows, factors, out});
+    for_each_vector_overlapping(count, BoundSpeeds{rows, factors, out});
 }
 
 }  // namespace HWY_NAMESPACE

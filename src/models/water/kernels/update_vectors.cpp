@@ -129,20 +129,21 @@ struct Update {
 };
 
 template <bool manning, bool bounded>
-HWY_INLINE void take_update(const UpdateInput& in, const UpdateFactors& factors, double* depth,
-                            double* velocity_x, double* velocity_y, int count) {
+HWY_INLINE void compute_update(const UpdateInput& in, const UpdateFactors& factors, double* depth,
+                               double* velocity_x, double* velocity_y, int count) {
     const double* roughness = nullptr;
     HWY_ALIGN double some[widest_update];
     if constexpr (manning) {
         // Three loops: of one as long as all the processor sees too few cells ahead to work on
         // several.
-        for_each_vector_anew(count, LogOfRoughness{{in, factors}, some});
+        for_each_vector_overlapping(count, LogOfRoughness{{in, factors}, some});
         for_each_vector(count, Exponential{some});
         roughness = some;
     }
     if (in.depth_before == nullptr) {
-        for_each_vector_anew(count, Update<Mix::none, manning, bounded>{
-                                        in, factors, roughness, depth, velocity_x, velocity_y});
+        for_each_vector_overlapping(
+            count, Update<Mix::none, manning, bounded>{in, factors, roughness, depth, velocity_x,
+                                                       velocity_y});
     } else if (factors.kept == 0.5) {
         for_each_vector(count, Update<Mix::half, manning, bounded>{in, factors, roughness, depth,
                                                                    velocity_x, velocity_y});
@@ -153,21 +154,21 @@ HWY_INLINE void take_update(const UpdateInput& in, const UpdateFactors& factors,
 }
 
 template <bool manning>
-HWY_INLINE void take_update(const UpdateInput& in, const UpdateFactors& factors, double* depth,
-                            double* velocity_x, double* velocity_y, int count) {
+HWY_INLINE void compute_update(const UpdateInput& in, const UpdateFactors& factors, double* depth,
+                               double* velocity_x, double* velocity_y, int count) {
     if (in.most_speed == nullptr) {
-        take_update<manning, false>(in, factors, depth, velocity_x, velocity_y, count);
+        compute_update<manning, false>(in, factors, depth, velocity_x, velocity_y, count);
     } else {
-        take_update<manning, true>(in, factors, depth, velocity_x, velocity_y, count);
+        compute_update<manning, true>(in, factors, depth, velocity_x, velocity_y, count);
     }
 }
 
 void update(const UpdateInput& in, const UpdateFactors& factors, double* depth, double* velocity_x,
             double* velocity_y, int count) {
     if (factors.manning) {
-        take_update<true>(in, factors, depth, velocity_x, velocity_y, count);
+        compute_update<true>(in, factors, depth, velocity_x, velocity_y, count);
     } else {
-        take_update<false>(in, factors, depth, velocity_x, velocity_y, count);
+        compute_update<false>(in, factors, depth, velocity_x, velocity_y, count);
     }
 }
 
