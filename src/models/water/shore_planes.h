@@ -1,3 +1,30 @@
+// Why cells along shores have planes, and how they get them.
+//
+// A shore cuts cells. A scheme that takes each cell for covered as a whole moves the shore by whole
+// cells. Here a cell at a shore holds water under a plane instead, clipped where it meets the bed,
+// so that the shore lies anywhere in it and aslant.
+//
+// 1. Slopes come from deep water: the nearest core cells, at most three away, go on linearly, with
+//    second differences, and the mean of them counts.
+// 2. The height comes from the cell's own mean depth (clipped_plane.h).
+// 3. Both must agree to half of what the depth falls by over a cell: a bore, or a film of rain, is
+//    not a lake's edge. Water that would be faster than a front from there is not its edge either,
+//    and on a bed that the grid does not resolve slopes say nothing of where the shore is.
+// 4. Second differences count only where those of all core cells agree in sign, the smallest one.
+// 5. Sums run over pairs of opposite cells, so that mirrored lakes stay so to the last bit.
+// 6. Core cells beside planed ones belong to the shore: limited slopes would treat the water there,
+//    no deeper than a few of the bed's steps, as that of whole cells.
+// 7. Fluxes are HLLC (Toro, Spruce & Speares 1994) of means along the face, with the wave speeds of
+//    two rarefactions and exact fronts at dry cells, as for all other faces.
+//
+//     the bed rises  ──►
+//     water       core    core     full     wet      dry
+//     kind        core    shore    planed   planed   –          planed cells are the shore's too
+//     slopes      own     own      from the nearest core cells
+//
+// Parts: shore_kinds.cpp (which cells), shore_planes.cpp (planes), shore_faces.cpp (what passes
+// faces), shore_deficits.cpp (what cells that ran dry have still to deliver).
+
 #pragma once
 
 #include <array>

@@ -1,3 +1,27 @@
+// Endless ground as a mesh in polar coordinates around the eye: rays × 1000 rings.
+//
+// 1. From ring to ring radii grow by a factor, a smaller one at first: quads are of much the same
+//    size on the screen from the eye's feet to the horizon.
+// 2. A ring may be wider than a dune. A vertex therefore does not stand on its ring but where the
+//    ground between the ring's edges looks highest from the eye (up to 12 samples): crests, which
+//    are the picture's outlines, do not depend on where rings happen to lie.
+// 3. Samples read means of the height pyramid, of cells up to a fifth of the distance between rays.
+// 4. Hidden ground is left out twice, by a floating horizon (Wright 1973): the steepest tangent so
+//    far along a ray. A ring that could not rise over it, were it as high as the bed's highest
+//    ground, takes one sample instead of 12. A quad below the horizon of its two rays, of which the
+//    lower one counts, is not drawn. From a lens all of whose points see the ground, what stands at
+//    a distance r is seen lower by lens / r and aside by as much, so that rays beside count too.
+// 5. The warp of far tiles is evaluated at the edges of rings and is linear between them.
+// 6. Samples of up to 32 rings of one level are evaluated together, by vectors (ground_vectors.h):
+//    rings wait for each other's horizon, but their heights do not.
+// 7. At walls of rock wall_vertices.h chooses the vertices, so that foot and rim are among them.
+//
+//              ring k  k + 1
+//    ray j + 1 ─── b0 ── b1 ──►      vertex = ray · 1000 + ring
+//                  │  ╲  │           triangles a0 b0 a1 and b0 b1 a1;
+//    ray j     ─── a0 ── a1 ──►      first all of near quads, then all of far ones
+//    from the eye
+
 #pragma once
 
 #include <cstddef>

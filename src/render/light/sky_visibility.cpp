@@ -1,3 +1,25 @@
+// How sky_visibility() is made fast. The method (see the header) asks for the highest horizon of
+// each cell in eight directions: along each lattice line the upper convex hull of what has been
+// passed, a stack whose top is the horizon once the points that the cell hides are gone.
+//
+// 1. A cell waits for the hull that the one before it left. Four sweeps that do not wait for each
+//    other run together: two lines, each both ways.
+// 2. On rough ground no processor foresees how many points a cell hides. The first three are tested
+//    and counted without a branch; only where all three are hidden does a loop go on. Below the
+//    hull lie three points that hide nothing, so that the test needs no bound.
+// 3. Rows lie in memory as they are swept. Of columns and diagonals 16 neighbouring lines, a cache
+//    line of floats, are copied first, and their sums back the same way. Lines of a bundle begin an
+//    odd number of cache lines apart, since caches have few places for what lies powers of two
+//    apart.
+// 4. Level ends of a line (the plain that a block stands on) need no hull, and a line that is level
+//    as a whole gets at once what sweeps would find, to the bit.
+// 5. Integrating the sky above the horizons is a loop over vectors (light_vectors.h).
+//
+//    heights, and a bundle of diagonals        its lines in memory
+//    y = 2   .   .   0   1   2  …  15          line 0   │ y = 0, 1, 2 …  │ padding │
+//    y = 1   .   0   1   2  …  15   .    ──►   line 1   │ y = 0, 1, 2 …  │ padding │
+//    y = 0   0   1   2  …  15   .   .          line 15  │ y = 0, 1, 2 …  │ padding │
+
 #include "render/light/sky_visibility.h"
 
 #include <algorithm>

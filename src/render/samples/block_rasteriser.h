@@ -1,3 +1,30 @@
+// A block drawn by fumon's own rasteriser: a visibility buffer first, shading after it, a band of
+// rows at a time.
+//
+//   vertices ─ project ─► 1/256 sample ─ bin ─► a band's triangles ─ rasterise ─► samples ─► pixels
+//                              └─ outside the guard band: clip, then bin
+//
+// 1. A band is 16 rows of pixels, 32 of samples. What its samples see stays in a cache and is never
+//    kept for the whole picture; each thread takes the next band and works in a Scratch of its own.
+// 2. A sample is one word, see below. The larger word is the nearer one, so that neither the order
+//    of triangles nor tiles nor threads change what a sample sees.
+// 3. Only what is seen is shaded. A pixel whose four samples see the surface close together takes
+//    one texture lookup midway between them; other pixels of the surface are listed (EdgePixels)
+//    and take four.
+// 4. A surface under water is shaded by OpenGL, once a pixel, at the positions of a GBuffer. Where
+//    the samples of a pixel see two places far apart, as at a brink before far ground, it has two
+//    texels there, which are mixed by their shares of the samples.
+// 5. Sides and background are OpenGL's, drawn only in the rectangles where they are seen; finish()
+//    mixes them into the pixels that are left.
+//
+//   row of samples 2j + 1   │ A nw │ A ne │ B nw │ B ne │ …       of pixels A, B …
+//   row of samples 2j       │ A sw │ A se │ B sw │ B se │ …       each Band::beyond words longer
+//   a word                  │ 31 …  reversed z, a float  … 3 │ 2 … kind … 0 │
+//   kinds                   0 nothing, 1 surface, 2 … 5 sides
+//
+// Source: visibility buffers are Burns & Hunt's (2013, J. Computer Graphics Techniques 2). Theirs
+// name the triangle; this one keeps its depth, from which the position on the ray follows.
+
 #pragma once
 
 #include <array>

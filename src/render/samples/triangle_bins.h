@@ -1,3 +1,8 @@
+// Sort-middle binning (Molnar, Cox, Ellsworth & Fuchs 1994): triangles are sorted into bands of
+// rows once, then any thread rasterises any band. Each thread sorts an equal share of all triangles
+// into lists of its own, so that none waits for another; a band walks these lists one after the
+// other. Their order does not matter, as the nearest triangle is a maximum (rasteriser_vectors.h).
+
 #pragma once
 
 #include <cstddef>
