@@ -20,10 +20,10 @@ float fall_at(SurfacePoint position) {
 }
 
 // See GroundRasteriser::rasterise().
-uniform usamplerBuffer visibility_buffer;  // by fours
+uniform usamplerBuffer visibility_buffer;  // by quads of samples
 uniform vec2 buffer_origin;  // the sample that has the first of them
 uniform float quads_per_row;
-uniform float quads;  // of nearnesses, after which those of lengths begin
+uniform float quads;  // of reversed z, after which those of lengths begin
 uniform vec2 target_begin;  // the picture's sample that is the target's first
 uniform vec3 first_ray;  // over the reversed_z of what it meets
 uniform vec3 ray_rightward;

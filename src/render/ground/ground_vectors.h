@@ -40,7 +40,7 @@ constexpr int samples_per_batch = 16;
 void evaluate(const Heights& bed, const Eye& eye, const RaySamples& positions, int count,
               double* over, double* tangents);
 
-/// Places along a ray, from the middle of what TileWarp leave as it is; periods.
+/// Places along a ray, from the middle of what TileWarp leaves as it is; periods.
 struct WarpedRay {
     double east;  ///< under the eye
     double north;

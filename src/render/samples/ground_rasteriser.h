@@ -65,7 +65,7 @@ class GroundRasteriser {
     static constexpr std::uint32_t near_kind = 1;
     static constexpr std::uint32_t far_kind = 2;
 
-    /// Notes for each sample what it sees in two numbers: reversed_z, a float, whose
+    /// Records for each sample what it sees in two numbers: reversed z, a float, whose
     /// lowest three bits (rasteriser_vectors::kind_bits) are the kind, 0: nothing; and, as a
     /// float, over what length on the ground along the view. First all of the one kind, then all of
     /// the other, each at its SampleRectangle::index(). The camera's eye is the offsets'

@@ -12,7 +12,7 @@
 
 namespace fumon {
 
-/// Samples of those pixels of endless ground that are not coloured as wholes: edges of what is
+/// Samples of those pixels of endless ground that see several things: edges of what is
 /// seen. Few pixels are, so their samples are coloured side by side in a small target, and not
 /// where they lie among all the others.
 class PackedSamples {
@@ -44,7 +44,7 @@ class PackedSamples {
     int factor_;
     int width_ = 0;
     glm::ivec2 first_{0};
-    std::vector<std::uint32_t> pixels_;  // colours of whole pixels, rows upward; 0: others
+    std::vector<std::uint32_t> pixels_;  // colours of single-surface pixels, rows upward; 0: others
     std::array<EdgePixels, 2> edges_;
     gl::Texture2D listed_;
     gl::RenderTarget target_;

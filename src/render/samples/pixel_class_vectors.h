@@ -28,7 +28,7 @@ struct AvalancheMap {
     float north = 0.0F;
 };
 
-/// What tells whole pixels apart. Lengths are the block's.
+/// What tells single-surface pixels apart. Lengths are the block's.
 struct ClassBounds {
     float near_limit;             ///< no ripple is seen beyond
     float steepest_smooth_slope;  ///< the steepest ground without tongues, as it is drawn

@@ -26,7 +26,7 @@ struct PixelGrid {
 /// on the tile, on threads and on the processor.
 class PixelClasses {
   public:
-    /// `numbers`: as GroundRasteriser leave them.
+    /// `numbers`: as GroundRasteriser leaves them.
     void classify(const std::uint32_t* numbers, const SampleRectangle& samples,
                   const SampleRays& rays, const PixelGrid& pixels,
                   const pixel_class_vectors::ClassBounds& bounds, WorkerPool& pool);

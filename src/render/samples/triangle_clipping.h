@@ -17,7 +17,7 @@ using ClipPosition = glm::dvec3;
 inline constexpr double guard_band = 16777216.0;
 
 /// Adds what is left of a triangle that reaches nearer than `near_depth` or farther aside: corners,
-/// and triangles of them that turn the same way. Nearness is near_depth / depth.
+/// and triangles of them that turn the same way. Reversed z is near_depth / depth.
 void add_clipped(const std::array<ClipPosition, 3>& triangle, double near_depth,
                  rasteriser_vectors::ProjectedVertices& vertices,
                  std::vector<std::uint32_t>& triangles);

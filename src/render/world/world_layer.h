@@ -68,7 +68,7 @@ class WorldLayer {
     /// Where a tile's pixels lie among its samples.
     [[nodiscard]] PixelSamples pixel_samples(const TileFrame& tile) const;
 
-    /// Finds what samples see without OpenGL, as GroundRasteriser do: of the pixels that may see
+    /// Finds what samples see without OpenGL, as GroundRasteriser does: of the pixels that may see
     /// ground and of the samples beside them. Where pixels have several samples it finds also how
     /// they are shaded.
     void rasterise_buffer(const TileFrame& tile);
@@ -109,7 +109,7 @@ class WorldLayer {
     [[nodiscard]] glm::mat4 clip_from_eye(const Camera& camera) const;
     /// By how much the planet sinks at a distance of 1, block lengths.
     [[nodiscard]] float curvature() const;
-    /// From the middle of what TileWarp leave as it is, periods.
+    /// From the middle of what TileWarp leaves as it is, periods.
     [[nodiscard]] glm::dvec2 eye_from_middle(const Camera& camera) const;
 
   private:

@@ -28,7 +28,7 @@ struct Plane {
 };
 
 /// Samples of a camera that looks along y and 0.5 down, of planes by the row of pixels, `factor`
-/// samples a pixel. As GroundRasteriser leave them.
+/// samples a pixel. As GroundRasteriser leaves them.
 struct Picture {
     explicit Picture(int samples_a_pixel) : factor(samples_a_pixel) {
         samples.picture = factor * glm::ivec2(columns, rows);
