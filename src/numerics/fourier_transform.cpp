@@ -1,3 +1,28 @@
+// Fourier transforms of 8 real rows at a time.
+//
+// 1. Rows lie side by side, point after point. Two real rows are the real and the imaginary part of
+//    one complex row, so that 8 real rows are 4 complex ones, and each operation of a butterfly is
+//    one vector operation without shuffles:
+//
+//        point i   | row 0  row 1  row 2  row 3 | row 4  row 5  row 6  row 7 |   64 bytes
+//                  |      real parts of 4       |      imaginary parts       |
+//
+// 2. Stockham's method: each stage reads one half of the scratch and writes the other, in the order
+//    that the next stage reads, so that no digit reversal is needed.
+//
+//        values -> [from] -> [to] -> [from] -> ... -> spectra
+//
+// 3. The first stage reads the caller's array with its stride, and the last stage of the inverse
+//    writes to it: two copies less.
+// 4. Radices 4, 5, 2 and 3, then other primes up to 127 by the definition. Where a larger prime
+//    divides the length, the transform is a convolution with a chirp over a power of two.
+// 5. split_spectra() takes the spectra of the two rows of a pair apart; merge_spectra() joins them.
+//    The inverse is the forward transform of i times the conjugate, whose parts change places.
+// 6. Sines and cosines are fumon's own, sums have one order, and vectors have 4 lanes at most: the
+//    bits are the same on every processor.
+//
+// Cochran et al. (1967); Bluestein (1970).
+
 #include "numerics/fourier_transform.h"
 
 #include <algorithm>

@@ -1,3 +1,21 @@
+// A movie by libavcodec, libavformat and libswscale:
+//
+//   Image -> rgb -> scaler -> yuv -> codec -> packet -> without_version -+-> container -> NAME.part
+//     |      padded to even sides      ^                                 +-> so_far
+//     +-> palette indices (GIF) -------+
+//
+// 1. The same frames give the same bytes: a fixed number of codec threads, the bit-exact flags of
+//    codec, container and scaler, and accurate rounding. The units in which x264 and x265 sign
+//    their streams with version and settings are filtered out.
+// 2. yuv formats are BT.709 of limited range, and are tagged so.
+// 3. A key frame comes at least every second (gop_size is the rate), so that players can seek.
+// 4. The file appears whole: it is written as NAME.part and renamed when its trailer is written; a
+//    movie that is not finished is deleted. `so_far` is a second file that plays at any time
+//    (GrowingMovie) and stays; where the disk has no room for both, it is the one that goes.
+// 5. Muxers may forget errors of buffered writes; the stream's own error is asked for after each
+//    write (check_file).
+// 6. The libraries are loaded when the first movie is made: libav() holds their functions.
+
 #include "picture/movie.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,26 @@
+// A run as stages, each a thread of its own, with bounded queues between them:
+//
+//                     +-> to_beds_ -> fumon-beds                                beds/
+//   fumon-simulate ---+
+//     model, recorder +-> to_draw_ -> fumon-render -+-> to_frames_ -> fumon-encode   frames/
+//                                       painter     +-> to_movie_ --> fumon-movie    movie.mp4
+//
+// 1. Queues hold two items. A full one makes the stage before it wait, so memory does not grow with
+//    the number of frames, and nothing is dropped.
+// 2. Snapshots and images go through as shared pointers to const: no stage copies them, and frames
+//    and movie share a picture.
+// 3. The drawing thread, to which OpenGL belongs, makes its painter first: `started` is called, and
+//    the other stages begin, only when drawing is known to work. Nothing is written before.
+// 4. The end runs downstream: a stage that has sent all closes its queues, the next one empties
+//    them and ends.
+// 5. The first error of a stage is kept and aborts all queues. An error of the simulation itself is
+//    kept only: what was made before it still reaches its files.
+// 6. A signal stops the simulation between two steps; frames under way are finished. A step that
+//    does not end in time is cancelled (base/cancellation.h), and there is no state then.
+// 7. A checkpoint waits until all that was sent is written (WrittenOutputs), so that it never
+// counts
+//    a frame that is not on disk. A resumed movie begins with the frames that are there.
+
 #include "run/pipeline.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,34 @@
+// Avalanches as passes over the whole surface (the rule stands in slope_relaxation.h).
+//
+// 1. Heights are whole numbers of 2^-32 m, so that any order of additions gives the same sum: sand
+//    is conserved exactly, and threads cannot change a bit.
+// 2. A pass has two halves. Sliding reads the surface and notes what leaves each cell along x and
+// y;
+//    settling adds what left and what came. All cells of a pass thus read the ground before it.
+// 3. Only cells that slid, and their four neighbours, can have become steeper. A bit set holds them
+//    (CellBitset), with a flag a row for rows at rest. Vectors take whole rows (slope_vectors.h)
+//    and leave the ends of rows, where neighbours wrap, to loops over cells.
+// 4. The first pass starts slides beyond the static angle, later ones beyond the dynamic one.
+// 5. Up to 16 passes go over the rows together, two rows apart (PassWavefront), so that the rows
+//    between the first and the last stay in a processor's cache:
+//
+//        row      0  1  2  3  4  5  6  7  8  9
+//        pass 0                        s  S         S: slides, s: settles
+//        pass 1                  s  S
+//        pass 2            s  S                     all move to the right ->
+//
+// 6. Threads take strips of rows. A pass needs the rows beside it as the pass before left them, so
+//    a strip's later passes end two rows earlier; the wedges along the seams follow when all strips
+//    are done:
+//
+//        pass 0   ##########|##########
+//        pass 1   ########      ########      #: strips, the gap: of_seam()
+//        pass 2   ######          ######
+//
+// 7. A few cells on one thread take a queue instead (relax_near), first in first out.
+//
+// The slope is that of Rouy & Tourin (1992).
+
 #include "models/avalanche/slope_relaxation.h"
 
 #include <algorithm>

@@ -1,3 +1,33 @@
+// The wind shadow by lines that follow the wind over the grid (the rule stands in wind_shadow.h).
+//
+//        wind ->      crest
+//                    _/ \`-._`-._
+//                  _/    \   `-._ `-._           soft: the surface at the soft angle
+//                _/       \      `-._  `-._      full: the surface at the full angle
+//          _____/          \_________`-.___`-.____
+//                                   full   soft
+//
+//    Shadow is 1 below the surface at the full angle, and 0 above the surface at the soft angle.
+//
+// 1. No cell looks upwind. A line carries both surfaces with it, lets them fall from row to row and
+//    lifts them to the ground that it passes: the work is a few operations a cell, however far
+//    shadows reach.
+// 2. The rows that lines cross are the grid's rows or columns, whichever the wind meets more
+//    steeply (RowTraversal), so that lines shift by a cell at most from row to row. Lines are a
+//    cell apart; heights between cells are linear, and a cell takes what the lines beside it find.
+// 3. 64 lines go side by side, as vectors, 32 rows at a time. Where the wind blows along x these
+//    rows are columns, far apart in memory; so cells are gathered and scattered through a buffer:
+//
+//        grid, x fastest                       buffer
+//        y |   32 columns of 64 cells     |    heights[k][i]   k: row across the wind
+//          |   gather_heights ->          |                    i: line
+//          |   <- scatter_to_cells        |    and then the shade in the same place
+//
+// 4. In a periodic bed lines start as far upwind as a shadow can reach (relief over the drop of the
+//    soft surface a row), at most once round; those rows get no shade.
+// 5. Lines depend on nothing but the ground, so threads share them and results do not depend on
+//    how many there are.
+
 #include "models/dunes/wind_shadow.h"
 
 #include <algorithm>

@@ -1,3 +1,27 @@
+// Saltation within one row, in two orders:
+//
+//   synchronous        every cell hops once, all read the row before (Terada 2025, eq. 1)
+//   random sequential  one hop after the other, each reads the row as it then is (Sudo 2002,
+//                      appendix A)
+//
+// 1. Synchronous hops leave in loops over vectors (hop_vectors.h). Only the landings, of which
+//    several may share a cell, are a loop over cells.
+// 2. A sequential hop depends on an earlier one only where that changed its start cell. So vectors
+//    compute a block of hops from the row as it is (PrecomputedHops), and the block is applied hop
+//    by hop: a start cell that still has the bits it had makes the computed hop right; any other
+//    hop is computed anew (hop_from). The result is the plain sequence's, bit for bit.
+// 3. A row of 2^15 cells or more exceeds the first-level cache, and waits for memory. There the
+//    next block is computed before the present one is applied, and its cells are prefetched:
+//
+//        short row   apply b       precompute b+1
+//        long row    prefetch starts of b+2   precompute b+1   prefetch landings of b+1   apply b
+//
+//    Blocks are twice as long there. Precomputing earlier costs more hops computed anew, no bits.
+// 4. Only linear hops of a constant amount without shadow are precomputed (can_precompute): they
+//    depend on the start cell alone.
+// 5. Picks are drawn apart from hops: random numbers are functions of seed, row and step, so that
+//    another thread can draw the next step's. Words become cells by Lemire's method (2019).
+
 #include "models/sand/row_hops.h"
 
 #include <algorithm>

@@ -61,6 +61,10 @@ HWY_INLINE void advect(D d, std::size_t x, const AdvectedStencil& before, const 
     const V q0 = turned_y(load(before.gradient_y.here));
     const V q1 = turned_y(along_x(before.gradient_y.here));
     const V q2 = turned_y(along_y(before.gradient_y));
+    // CIP, type A (Yabe et al. 1991): in the upwind cell f is the cubic Σ c_mn a^m b^n, m + n ≤ 3,
+    // of the values at its four corners and the gradients at three of them, taken at (a, b), where
+    // the water comes from; c_10 = p0 and c_01 = q0 are the gradients here. Gradients are its
+    // derivatives.
     const V rise_x = f1 - f0;
     const V rise_y = f2 - f0;
     const V c30 = (p0 + p1) - two * rise_x;

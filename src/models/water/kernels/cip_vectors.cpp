@@ -57,6 +57,8 @@ HWY_INLINE auto central_rise_y(D d, std::size_t x, const Forces& by) {
            (hn::LoadU(d, by.bed.north + x) - hn::LoadU(d, by.bed.south + x));
 }
 
+/// Saeki & Okamura (2007), eq. 10, after the advection, which leaves u*; friction half implicit:
+/// u = (u* − dt g ∂(h + z)/∂x) / (1 + dt C_f |u*| / h), v likewise with the plane's −dt g·slope.
 struct Accelerate {
     Forces by;
     Velocity advected;
@@ -87,6 +89,8 @@ HWY_INLINE V limited_rise(V back, V depth_back, V forward, V depth_forward) {
     return to_forward - to_back;
 }
 
+/// The same with limited rises; friction implicit, u (1 + dt C_f |u| / h) = u* − dt g ∂(h + z)/∂x,
+/// whose solution is the right side, of size s, times 2 / (1 + √(1 + 4 dt C_f s / h)).
 struct AccelerateSteep {
     Forces by;
     double plane;  ///< its rise from a row to the next, m
@@ -124,6 +128,7 @@ struct AccelerateSteep {
     }
 };
 
+/// Eq. 10 with all forces before the sub-step: u = u* − dt (g ∂(h + z)/∂x + C_f |u| u / h).
 struct AccelerateAsPublished {
     Forces by;
     Velocity before;
@@ -170,6 +175,8 @@ HWY_INLINE V within(V value, V most) {
     return smaller(larger(value, hn::Neg(most)), most);
 }
 
+/// Saeki & Okamura (2007), eq. 11: with what f gained beside advection as G, f_x ← f_x + ∂G/∂x − dt
+/// (∂u/∂x f_x + ∂v/∂x f_y), and f_y likewise, all by central differences.
 template <bool held, class D>
 HWY_INLINE void turn_one(D d, std::size_t x, const Shear<D>& by, const Stencil& gained,
                          const Stencil& value, const TurnedRow& gradient) {

@@ -11,6 +11,7 @@ namespace HWY_NAMESPACE {
 
 using namespace vectors::HWY_NAMESPACE;
 
+/// As published: h = h* − dt h ∇·u + dt·rain with h* advected by CIP.
 struct Thin {
     const double* depth;
     const double* advected;
@@ -33,6 +34,8 @@ struct Thin {
     }
 };
 
+/// With ν = u dt/dx at the face, ν (h_up + (sgn ν − ν)/2 · δ): Lax & Wendroff's second order in
+/// space and time, limited by van Leer's (1977) monotonised central difference δ.
 struct ThroughFaces {
     FaceCells c;
     double per_cell;

@@ -91,12 +91,18 @@ struct FaceFluxes {
         const V surface_l = hn::IfThenElse(outside_l, ground_r, level_l);
         const V surface_r = hn::IfThenElse(outside_r, ground_l, level_r);
 
+        // Hydrostatic reconstruction (Audusse et al. 2004; Chen & Noelle 2017): with surfaces e and
+        // beds z, z* = min(max(z_l, z_r), min(e_l, e_r)), h* = min(e - z*, h).
         const V step = smaller(larger(bed_l, bed_r), smaller(surface_l, surface_r));
         const V above_l = surface_l - step;
         const V above_r = surface_r - step;
         const V hl = smaller(above_l, depth_l);
         const V hr = smaller(above_r, depth_r);
 
+        // HLLC (Toro 2001) with the wave speeds of two rarefactions:
+        //     u* = (u_l + u_r)/2 + c_l - c_r,        c* = (c_l + c_r)/2 + (u_l - u_r)/4,
+        //     S_l = min(u_l - c_l, u* - c*, 0),      S_r = max(u_r + c_r, u* + c*, 0).
+        // A dry side has the velocity of the front, u_r - 2 c_r or u_l + 2 c_l.
         const V cl = hn::Sqrt(g * hl);
         const V cr = hn::Sqrt(g * hr);
         const V un_l = hn::LoadU(d, l.normal + k) + hn::LoadU(d, ls.normal + k);
@@ -111,6 +117,9 @@ struct FaceFluxes {
         const V quickest = larger(larger(ur + cr, u_star + c_star), zero);
         const V share = hn::Set(d, 1.0) / larger(quickest - slowest, hn::Set(d, speed_floor));
 
+        // Mass and normal momentum are HLL's, (S_r F_l - S_l F_r + S_l S_r (U_r - U_l)) / (S_r -
+        // S_l), the momentum without each cell's own pressure g h*^2/2; the transverse velocity is
+        // that of the side from which the mass comes, as behind HLLC's contact wave.
         const V ql = hl * ul;
         const V qr = hr * ur;
         const V both = slowest * quickest;
@@ -118,6 +127,8 @@ struct FaceFluxes {
         const V carried = (quickest * (ql * ul) - slowest * (qr * ur)) + both * (qr - ql);
         const V half_gravity = half * g;
         const V pressure_rise = half_gravity * ((hr - hl) * (hr + hl));
+        // What a step of the bed does: the weight of the water that falls down it, g/2 (h + h*)
+        // (h* - (e - z*)), and the momentum of water that it stops (see the header).
         V falling_l = depth_l + hl;
         V falling_r = depth_r + hr;
         if constexpr (partly_wet) {  // a thin cell may be deep at its face
@@ -212,6 +223,7 @@ struct CutToShares {
     }
 };
 
+/// The rate of the Courant condition, (|u| + c)/dx + (|v| + c)/dy with c = √(g h).
 /// Rates as whole numbers: positive doubles order as their bits do, and NaN is above them all.
 /// Where `has_factors`, dx and dy are powers of two, by whose inverses a product has the same bits.
 template <bool has_factors>

@@ -12,6 +12,7 @@ namespace HWY_NAMESPACE {
 
 using namespace vectors::HWY_NAMESPACE;
 
+/// Van Leer's (1977) limited slope, halved: minmod(θ/2 · back, (back + forward)/4, θ/2 · forward).
 /// `bound`: half of the steepest slope over the smaller one-sided difference, from ½ (minmod, with
 /// which the values of two cells at their face keep their order) to 1 (monotonised central).
 template <class V>

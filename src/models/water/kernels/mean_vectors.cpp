@@ -49,11 +49,13 @@ struct MeansToFaces {
             return hn::IfThenElseZero(
                 deep, within(forward - back, two * smaller(hn::Abs(back), hn::Abs(forward))));
         };
+        // A parabola of these means has h ± s + (h_back − 2 h + h_forward)/12 at the faces.
         const V depth_bend = second_difference(depth_back, depth_forward);
         const V surface_bend = twelfth * second_difference(surface_back, surface_forward);
         hn::StoreU(depth + twelfth * depth_bend, d, out.depth + k);
         hn::StoreU(surface + surface_bend, d, out.surface + k);
 
+        // The mean of h u over that of h is u + (∂h/∂x ∂u/∂x) Δx²/(12 h): taken off here.
         const V half_rise = load(s.depth);
         const auto lean = [&](V rise, V over) HWY_ATTR {
             return hn::IfThenElseZero(deep,

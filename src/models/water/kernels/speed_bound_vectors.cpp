@@ -26,6 +26,8 @@ struct LargestInvariants {
     }
 };
 
+/// max(|u| + 2√(g h)) + dt·g·|∇z| over a cell and the four beside it: Riemann invariants of the
+/// exact flow, and what the bed's slope adds within a step.
 struct BoundSpeeds {
     RowsAround rows;
     BoundFactors f;

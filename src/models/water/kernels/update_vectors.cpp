@@ -51,6 +51,9 @@ struct Exponential {
 /// What a stage gives: its own end; the mean with the step's start; or shares of both.
 enum class Mix : std::uint8_t { none, half, shares };
 
+/// An Euler step of the finite volumes, h1 = h − Σ dt/dx ΔF + dt·rain and momenta alike, with
+/// friction implicit: u1 (1 + dt C_f |u1| / h1) = q / h1, or C_f = g n² h1^(−1/3) after Manning;
+/// then the share of the step's start by which stages make Heun's or Shu & Osher's (1988) method.
 template <Mix mix, bool manning, bool bounded>
 struct Update {
     UpdateInput i;
