@@ -30,7 +30,7 @@ bool is_tiny(std::string_view number) {
     const std::size_t first = digits.find_first_of("123456789");
     const std::size_t point = std::min(digits.find('.'), digits.size());
     if (first == std::string_view::npos) return true;
-    long long exponent = static_cast<long long>(point) - static_cast<long long>(first);
+    const long long exponent = static_cast<long long>(point) - static_cast<long long>(first);
     if (mark != std::string_view::npos) {
         std::string_view power = number.substr(mark + 1);
         const bool negative = power.starts_with('-');
@@ -38,7 +38,7 @@ bool is_tiny(std::string_view number) {
         long long written = 0;
         const auto result = std::from_chars(power.data(), power.data() + power.size(), written);
         if (result.ec != std::errc{}) return negative;
-        exponent += written;
+        return written < -exponent;  // whose sum may be too large for a number
     }
     return exponent < 0;
 }

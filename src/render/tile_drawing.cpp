@@ -189,8 +189,8 @@ void TileDrawing::shade_world_edges() {
     use(Target::edge_colours);
     if (!state_.edges) state_.edges.emplace(tile_.plan.factor);
     pixel_colours().bind();
-    const gl::Texture2D* visibility = in_target() ? &visibility().colour() : nullptr;
-    state_.world->shade_packed_samples(visibility, *state_.edges, state_.shading, tile_);
+    const gl::Texture2D* samples = in_target() ? &visibility().colour() : nullptr;
+    state_.world->shade_packed_samples(samples, *state_.edges, state_.shading, tile_);
 }
 
 void TileDrawing::clear_samples() {

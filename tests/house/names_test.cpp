@@ -131,7 +131,7 @@ constexpr std::array old_words{
 };
 
 /// Of render/ and the shaders.
-constexpr bool render_has_new_words = false;
+constexpr bool render_has_new_words = true;
 constexpr std::array old_words_of_render{
     OldWord{"Place", "position, cell, anchor, rectangle: what it is"},
     OldWord{"seen_buffer", "VisibilityBuffer"},

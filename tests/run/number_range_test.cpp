@@ -236,7 +236,7 @@ TEST_F(NumberRangeOfFiles, AStoredBed) {
         if (arguments.front() == "still") arguments.insert(arguments.end(), {"-o", "b.png"});
         refused(arguments, "heights beyond ±1e+06 m");
     }
-    refused({"render", "out", "-o", "frames"},
+    refused({"render", "out", "-o", "frames", "-q"},
             "out/fields.nc: the height of cell (5, 2) is 1e+300");
     refused({"export", "out/fields.nc", "-o", "b.glb"}, "heights beyond ±1e+06 m");
 }
