@@ -40,7 +40,7 @@ struct FrameSetting {
     /// Whether what samples see of endless ground is found by vector code, and not by OpenGL.
     [[nodiscard]] bool rasterises_in_buffer() const;
     /// Whether its pixels that see one ground are shaded as wholes.
-    [[nodiscard]] bool shades_whole_pixels() const {
+    [[nodiscard]] bool shades_single_surface_pixels() const {
         return rasterises_in_buffer() && plan.factor > 1;
     }
     /// What lies dark on the plain around the block; nothing where no plain is drawn.

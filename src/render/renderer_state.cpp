@@ -37,7 +37,7 @@ RendererState::RendererState(gl::Context& context_, const View& view_, const Sna
       fixed(constants_of(*this, light)),
       sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
       targets({plan, kind, view.look.ground, shades_water_by_pixel(view, first),
-               shades_whole_pixels()}),
+               shades_single_surface_pixels()}),
       shading(view, ground, first_ground(), display_bed(first_ground(), ground, refinement),
               samples_across(), fixed, mipmaps, kind),
       terrain(view, block, fixed, shades_water_by_pixel(view, first)),
