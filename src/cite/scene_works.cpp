@@ -136,6 +136,13 @@ std::vector<CitedWork> works_of(const Scene& scene) {
     for (const CitingRule& rule : rules) {
         if (holds(rule, table, scene)) add(rule.work, rule.what);
     }
+    const Key* recovery = table.find("model.infiltration_recovery");
+    if (recovery != nullptr && value_text(*recovery) != "0.0")
+        add("rossman_huber_2016", "recovery of infiltration");
+    const bool near_threshold = std::ranges::any_of(table.keys(), [](const Key& key) {
+        return key.path.ends_with(".threshold_ratio") && value_text(key) != "\"none\"";
+    });
+    if (near_threshold) add("gadal_2019", "threshold of transport");
     const Key* wall = table.find("model.wall_angle");
     if (scene.model.name == "dunes" && wall != nullptr && value_text(*wall) != "\"none\"")
         add("tsoar_1983", "walls");

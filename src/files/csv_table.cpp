@@ -376,7 +376,7 @@ std::string csv_line(const std::vector<std::string>& cells) {
         const bool begins = &text == &cells.front();
         const bool is_read =
             !begins || !(cell.starts_with('#') || cell.starts_with(byte_order_mark) ||
-                         (cell.empty() && cells.size() == 1));
+                         (is_blank_text(cell) && cells.size() == 1));
         const bool has_tab = cells.size() == 1 && cell.find('\t') != std::string::npos;
         const bool has_edges = cell.starts_with(' ') || cell.ends_with(' ');
         if (is_read && !has_tab && !has_edges &&

@@ -29,6 +29,8 @@ TEST(Cite, ADuneFieldCitesWhatItIsMadeOf) {
                                "model.plants=grow", "model.wall_angle=55"}),
               (std::set<std::string>{"werner_1995", "momiji_2000", "rouy_tourin_1992",
                                      "nield_baas_2008", "baas_2002", "tsoar_1983"}));
+    EXPECT_TRUE(
+        ids_of("dunes", {"wind.0.from=270", "wind.0.threshold_ratio=1.5"}).contains("gadal_2019"));
 }
 
 TEST(Cite, WaterCitesTheSchemeThatItIsAdvancedBy) {
@@ -36,6 +38,9 @@ TEST(Cite, WaterCitesTheSchemeThatItIsAdvancedBy) {
     EXPECT_FALSE(ids_of("gully", {}).contains("toro_2001"));
     const auto open = ids_of(
         "gully", {"model.edges_y=open", "model.transport=loads", "model.infiltration=green-ampt"});
+    EXPECT_FALSE(open.contains("rossman_huber_2016"));
+    EXPECT_TRUE(ids_of("water", {"model.infiltration=horton", "model.infiltration_recovery=0.1"})
+                    .contains("rossman_huber_2016"));
     for (const char* id : {"saeki_okamura_2007", "toro_2001", "audusse_2004", "van_leer_1977",
                            "meyer_peter_mueller_1948", "ferguson_church_2004", "green_ampt_1911"})
         EXPECT_TRUE(open.contains(id)) << id;
