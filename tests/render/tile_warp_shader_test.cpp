@@ -19,7 +19,7 @@ const glm::dvec2 eye_from_middle(0.4, -1.3);
 
 /// Numbers of shaders/world/tile_warp.glsl over a square of the ground.
 std::vector<glm::vec4> shaded(const glm::dvec2& corner, double across, int numbers) {
-    return shader_values("ground_copy.frag.glsl", side, side, {{"varied", 1.0F}},
+    return shader_values("tile_warp.frag.glsl", side, side, {{"varied", 1.0F}},
                          [&](const gl::Program& program) {
                              program.set("extent", glm::vec2(extent));
                              program.set("eye_from_middle", glm::vec2(eye_from_middle));

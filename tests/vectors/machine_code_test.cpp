@@ -77,10 +77,10 @@ constexpr std::array loops_of_four{"butterflies_of_four(", "butterflies_of_five(
                                    "eliminate(",           "substitute_back("};
 
 #ifdef FUMON_HAS_PICTURES
-constexpr std::array loops_of_pictures{"copies_along(", "place_corners(", "look_at("};
+constexpr std::array loops_of_pictures{"warp_along_ray(", "project_vertices(", "evaluate("};
 constexpr std::array loops_on_floats{"sweep_shadow(", "add_sky(",      "multiply_by_normal(",
                                      "pack_texels(",  "take_roots(",   "mix_means_along(",
-                                     "colour_row(",   "kinds_of_row(", "find_places("};
+                                     "shade_row(",    "classify_row(", "resolve_positions("};
 constexpr std::array loops_on_whole_numbers{"add_squares(", "halve("};
 #else
 constexpr std::array<const char*, 0> loops_of_pictures{};
