@@ -1,5 +1,6 @@
 #version 330 core
 // A person on the bed, lit at the corners of a fine mesh.
+#include "common/rotate.glsl"
 #include "common/snap.glsl"
 #include "common/colour.glsl"
 #include "common/light.glsl"
@@ -18,11 +19,9 @@ in vec3 part_normal;
 in vec3 part_colour;
 out vec4 leaf_colour;  // of life/standing.frag.glsl; light, where it tones that
 
-vec2 turned(vec2 p) { return vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y); }
-
 void main() {
-    vec3 position = root.xyz + root.w * vec3(turned(part.xy), part.z);
-    vec3 normal = vec3(turned(part_normal.xy), part_normal.z);
+    vec3 position = root.xyz + root.w * vec3(rotated(part.xy, turn), part.z);
+    vec3 normal = vec3(rotated(part_normal.xy, turn), part_normal.z);
     BedPoint ground = bed_point(textureLod(lighting_map, root_position, 0.0));
     if (clouds > 0.5 && from_eye > 0.5) ground.sun *= cloud_shade(position);
     vec3 to_eye = from_eye > 0.5 ? -normalize(position) : direction_to_eye(position);

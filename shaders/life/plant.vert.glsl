@@ -1,5 +1,6 @@
 #version 330 core
 // A leaf of one of many plants: lit at its corners.
+#include "common/rotate.glsl"
 #include "common/snap.glsl"
 #include "common/colour.glsl"
 #include "common/light.glsl"
@@ -20,11 +21,9 @@ in vec4 root;         // and the plant's height
 in vec3 form;         // cosine and sine of its turn; tint
 out vec4 leaf_colour;  // light, where life/standing.frag.glsl tones it
 
-vec2 turned(vec2 p) { return vec2(form.x * p.x - form.y * p.y, form.y * p.x + form.x * p.y); }
-
 void main() {
-    vec3 position = root.xyz + root.w * vec3(turned(leaf.xy), leaf.z);
-    vec3 normal = vec3(turned(leaf_normal.xy), leaf_normal.z);
+    vec3 position = root.xyz + root.w * vec3(rotated(leaf.xy, form.xy), leaf.z);
+    vec3 normal = vec3(rotated(leaf_normal.xy, form.xy), leaf_normal.z);
     BedPoint ground = bed_point(textureLod(lighting_map, map_position(root_origin + root.xy) + warped_ground(root.xy).offset, 0.0));
     if (clouds > 0.5 && from_eye > 0.5) ground.sun *= cloud_shade(position);
     vec3 to_eye = from_eye > 0.5 ? -normalize(position) : direction_to_eye(position);

@@ -1,4 +1,5 @@
 #version 330 core
+#include "common/rotate.glsl"
 #include "common/snap.glsl"
 
 uniform mat4 clip;
@@ -11,10 +12,8 @@ in vec3 part_colour;
 out vec3 point;
 out vec3 facing;
 
-vec2 turned(vec2 p) { return vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y); }
-
 void main() {
-    point = root.xyz + root.w * vec3(turned(part.xy), part.z);
-    facing = vec3(turned(part_normal.xy), part_normal.z);
+    point = root.xyz + root.w * vec3(rotated(part.xy, turn), part.z);
+    facing = vec3(rotated(part_normal.xy, turn), part_normal.z);
     gl_Position = snapped(clip * vec4(point, 1.0));
 }

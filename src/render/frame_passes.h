@@ -54,8 +54,8 @@ class Targets {
     unsigned bits_ = 0;
 };
 
-/// A line of a list: a pass, whether a picture or a tile needs it, and what it reads and writes. A
-/// tile's pass that gets itself a target that its line does not name fails (TileDrawing::use()).
+/// A line of a list: a pass, whether a picture or a tile needs it, and what it reads and writes.
+/// TileDrawing::use() throws for a target that the line of a pass does not name.
 template <typename Drawing>
 struct Pass {
     std::string_view name;

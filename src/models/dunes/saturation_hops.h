@@ -10,18 +10,18 @@ namespace fumon {
 ///
 ///     ∂q/∂x = (q_sat − q) / ℓ
 ///
-/// Sand in the air moves by `length`, and of what arrives the share `landing` ends its hop there,
-/// of which p stays, so that P = landing p of what arrives over sand. What stays in the air moves
-/// on, `moves` times in a step: so little sand is in the air between steps that it does not delay
-/// the bed. Sand that is spread over 3 × 3 cells with the variance D² v follows a change of the
-/// wind by
+/// Sand in the air moves by `length`. Of what arrives over sand, the share `landing` ends its hop,
+/// and p of that share stays: P = landing p in all. The rest moves on, `moves` times in a step, so
+/// that too little sand is in the air between steps to delay the bed. HopSpread spreads each
+/// arrival over 3 × 3 cells with the variance D² v. The drift then follows a change of the wind
+/// over
 ///
 ///     ℓ = length (2 − P) / (2 P) + D² v / (2 length)
 ///
-/// The landing share keeps P at 0.35 or less, for which the approach to saturation is exponential
-/// within 1 %, and `length` follows. v is that of HopSpread's spline, ¼, where a move reaches half
-/// a cell, else f (1 − f), f = length / D, the least that no direction of the wind makes negative.
-/// D is the length of a cell along the wind.
+/// D is the length of a cell along the wind. The landing share keeps P at 0.35 or less: up to
+/// there the approach to saturation is exponential within 1 %. `length` follows from ℓ. Where a
+/// move reaches half a cell, v is ¼, as of HopSpread's spline; else v = f (1 − f), f = length / D,
+/// the least variance for which no share is negative, whatever the wind's direction.
 struct SaturationHops {
     double length = 1.0;     ///< m, of a move
     double landing = 1.0;    ///< of what arrives
@@ -33,9 +33,9 @@ struct SaturationHops {
 };
 
 /// The saturation length, metres. "auto" is 1.3 m, or a cell where that is more: the length over
-/// which hops of 1 m, the former default, saturate in cells of a metre. Of slabs and of hops of one
-/// length it is model.hop_length divided by model.deposit_on_sand, by which their time steps are
-/// chosen.
+/// which hops of 1 m, the default before version 0.3, saturate in cells of a metre. For slabs and
+/// for hops of one length: model.hop_length divided by model.deposit_on_sand, by which their time
+/// steps are chosen (they saturate over another length, see continuous_transport.h).
 double saturation_length(const DunesParameters& parameters, const DuneGround& ground);
 
 /// Whether hops follow from a saturation length.

@@ -67,7 +67,7 @@ struct BlockTexture {
     std::vector<std::uint32_t> texels;
 };
 
-/// A picture of a block, of 2 × 2 samples a pixel: what each of them sees, and pixels from that.
+/// Rasterises a block at 2 × 2 samples a pixel, and resolves its pixels.
 /// Pixels that see the surface alone get their colours here, from the shaded bed; those of a block
 /// with water are shaded by others, one by one, from the places that they show. Sides and
 /// surroundings are drawn by others, where there is something to be seen of them. What a sample
