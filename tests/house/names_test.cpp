@@ -171,7 +171,8 @@ std::vector<std::pair<std::string, int>> identifiers_of(const std::string& text)
             skip_to(past(")" + text.substr(i + 2, open - i - 2) + "\"", open));
         } else if (text[i] == '"' || text[i] == '\'') {
             std::size_t end = i + 1;
-            while (end < text.size() && text[end] != text[i]) end += text[end] == '\\' ? 2 : 1;
+            while (end < text.size() && text[end] != text[i])
+                end += text[end] == '\\' ? std::size_t{2} : std::size_t{1};
             skip_to(end + 1);
         } else if (is_letter(text[i])) {
             std::size_t end = i;
