@@ -232,6 +232,7 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
     check_angles(parameters);
     check_transport(parameters, setup);
     check_saturation(parameters, ground_);
+    check_windward_bubbles(parameters);
     check_plants(parameters);
     check_ravines(parameters);
     sources_ = sources_of(parameters.features, ground_);
@@ -250,6 +251,8 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
     continuous_.emplace(parameters, ground_, step_length(parameters, ground_, 1.0), pool_);
     if (parameters.speed_up == DuneSpeedUp::relief)
         shear_.emplace(ground_, parameters.shear_in_phase, parameters.shear_ahead, pool_);
+    if (!parameters.windward_angle.is_word())
+        bubbles_.emplace(ground_, tangent(parameters.windward_angle.value), pool_);
     if (parameters.wind_bend != DuneBend::none)
         bent_ = {Grid(ground_.nx, ground_.ny), Grid(ground_.nx, ground_.ny)};
     if (parameters.wind_bend == DuneBend::contours) contour_bend_.emplace(ground_, pool_);
@@ -298,6 +301,7 @@ ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
     ContinuousTransport::Wind over{wind, shadow_.shade()};
     if (shear_) {
         relief_ = shadow_.envelope();
+        if (bubbles_) bubbles_->find(bed_.surface, wind).fill(relief_);
         shear_->apply(relief_, wind);
         over.shear = &relief_;
     }
@@ -319,6 +323,7 @@ void Dunes::bend(const BlowingWind& wind) const {
         return;
     }
     across_ = shadow_.envelope();
+    if (bubbles_) bubbles_->fill(across_);
     shear_->apply_across(across_, wind, parameters_.shear_across);
     turn_by_stress(across_, wind, pool_, bent_);
 }

@@ -16,6 +16,7 @@
 #include "models/dunes/wind_bend.h"
 #include "models/dunes/wind_schedule.h"
 #include "models/dunes/wind_shadow.h"
+#include "models/dunes/windward_bubbles.h"
 #include "models/dunes/windward_walls.h"
 #include "models/shared/model.h"
 
@@ -36,7 +37,7 @@ namespace fumon {
 /// Heights are whole numbers of 2⁻³² m: sand at rest + moving sand + outflow − inflow − worn rock
 /// is the same number after every step, and results do not depend on the number of threads. The
 /// linear shear stress holds for gentle slopes; the separation bubble that it sees behind a crest
-/// is a plane at the shadow's angle.
+/// is a plane at the shadow's angle, and before steep slopes one at model.windward_angle.
 class Dunes : public Model {
   public:
     static constexpr std::string_view model_name = "dunes";
@@ -98,6 +99,7 @@ class Dunes : public Model {
     mutable WindShadow shadow_;
     mutable std::optional<ReliefShear> shear_;
     mutable std::optional<ContourBend> contour_bend_;
+    mutable std::optional<WindwardBubbles> bubbles_;
     mutable std::optional<WindwardWalls> walls_;
     std::optional<Plants> plants_;
     std::optional<RockWear> rock_wear_;

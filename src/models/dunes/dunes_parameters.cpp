@@ -244,6 +244,14 @@ void list_wind_keys(DunesParameters& dunes, KeyTable& table) {
                {.unit = "degrees",
                 .range = {0, 60, true},
                 .help = "ground less far below it has the whole wind; below model.shadow_angle"});
+    table.word_or_real(
+        "model.windward_angle", dunes.windward_angle,
+        {{"none", "the wind follows any slope that faces it"}},
+        {.unit = "degrees",
+         .range = {5, 60},
+         .help = "before steeper slopes, such as slip faces of another wind, still air lies below "
+                 "this angle, and they speed the wind up no more than it (EN 1991-1-4: 16.7); of "
+                 "speed_up = \"relief\""});
 }
 
 void list_ground_keys(DunesParameters& dunes, KeyTable& table) {

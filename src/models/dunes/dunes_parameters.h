@@ -78,8 +78,9 @@ struct DunesParameters {
     double shear_across = 2.4;            ///< C
 
     DuneShadow shadow = DuneShadow::soft;
-    double shadow_angle = 15.0;       ///< degrees
-    double shadow_soft_angle = 10.0;  ///< degrees
+    double shadow_angle = 15.0;              ///< degrees
+    double shadow_soft_angle = 10.0;         ///< degrees
+    WordOrReal windward_angle{"none", 0.0};  ///< degrees
 
     WordOrReal slab_height{"auto", 0.0};  ///< m
     SlabOrder order = SlabOrder::parallel;

@@ -57,6 +57,10 @@ std::vector<Kind> kinds() {
             dunes.wind_bend = bend;
             all.push_back({"bent " + std::to_string(static_cast<int>(bend)), dunes});
         }
+        if (speed_up == DuneSpeedUp::relief) {
+            dunes.windward_angle = {"", 16.7};
+            all.push_back({"with windward bubbles", dunes});
+        }
         if (speed_up == DuneSpeedUp::relief) continue;
         dunes.transport = DuneTransport::slabs;
         dunes.hop_length = 5.0;

@@ -14,6 +14,7 @@
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "models/dunes/dunes.h"
+#include "models/dunes/saturation_hops.h"
 #include "support/temporary_folder.h"
 
 namespace fumon::test {
@@ -162,6 +163,70 @@ TEST(DuneSaturation, TheGridDoesNotSetTheSaturationLength) {
         for (int n = 0; n < 100; ++n) model.step();
         const double measured = std::log(wave_amplitude(model) / first) / (model.time() - then);
         EXPECT_NEAR(measured / growth_in_theory(dunes, 1.5, 32.0 * cell), 1.0, 0.03) << cell;
+    }
+}
+
+/// A wave at 45 degrees to the wind, as long as the diagonal of a square box of so many cells.
+struct ObliqueWave {
+    int cells;
+    double cell;  ///< m
+    [[nodiscard]] double wave_number() const { return 2.0 * std::acos(-1.0) / (cells * cell); }
+    [[nodiscard]] double phase(int x, int y) const { return wave_number() * cell * (x + y); }
+};
+
+double amplitude_of(const ObliqueWave& wave, const FixedPointGrid& surface) {
+    double in_phase = 0.0;
+    double out_of_phase = 0.0;
+    for (int y = 0; y < wave.cells; ++y) {
+        for (int x = 0; x < wave.cells; ++x) {
+            in_phase += to_metres(surface(x, y)) * std::cos(wave.phase(x, y));
+            out_of_phase += to_metres(surface(x, y)) * std::sin(wave.phase(x, y));
+        }
+    }
+    return std::hypot(in_phase, out_of_phase);
+}
+
+double growth_of(const ObliqueWave& wave, DunesParameters dunes) {
+    dunes.time_step = {"", 0.0005 * wave.cell / 1.3};
+    Grid bed(wave.cells, wave.cells);
+    for (int y = 0; y < wave.cells; ++y) {
+        for (int x = 0; x < wave.cells; ++x) bed(x, y) = 1.0 + 0.002 * std::cos(wave.phase(x, y));
+    }
+    WorkerPool pool(1);
+    Dunes model(dunes, box_of(std::move(bed), pool, wave.cell));
+    for (int n = 0; n < 40; ++n) model.step();
+    const double first = amplitude_of(wave, model.bed().surface);
+    const double then = model.time();
+    for (int n = 0; n < 100; ++n) model.step();
+    return std::log(amplitude_of(wave, model.bed().surface) / first) / (model.time() - then);
+}
+
+/// Hops spread across the wind too, by D = dx² v / (2 length) of the drift, with which a wave of
+/// wave numbers k_w along the wind and k_n across it loses Q D k_n² A k_w² / |k| of its growth.
+TEST(DuneSaturation, ObliqueWavesGrowTooLittleByTheSpreadOfHops) {
+    constexpr double box = 31.2;  // m
+    DunesParameters dunes;
+    dunes.saturation_length = {"", 1.3};
+    for (const int cells : {24, 48, 96}) {
+        const ObliqueWave wave{cells, box / cells};
+        const double k = wave.wave_number();          // along the wind, and across it
+        const double steepened = k / std::sqrt(2.0);  // k_w² / |k|
+        const double lag = 1.3 * k;
+        const double theory =
+            dunes.flux *
+            (k * steepened * (dunes.shear_ahead - dunes.shear_in_phase * lag) / (1.0 + lag * lag) -
+             dunes.slope_drift * 2.0 * k * k);
+        const SaturationHops hops =
+            saturation_hops(dunes, {cells, cells, wave.cell, wave.cell, true, true}, 1.0, 0.0);
+        const double spread = wave.cell * wave.cell * hops.spread_y / (2.0 * hops.length);
+        const double lost = dunes.flux * spread * k * k * dunes.shear_in_phase * steepened;
+        const double measured = growth_of(wave, dunes);
+        std::printf("    cells of %.3f m: %.3f measured, %.3f predicted, %.3f without spread\n",
+                    wave.cell, measured, theory - lost, theory);
+        EXPECT_NEAR(measured, theory - lost, 0.1) << wave.cell;
+        if (cells == 96) {
+            EXPECT_NEAR(measured, theory, 0.1);
+        }
     }
 }
 
