@@ -93,6 +93,15 @@ bool is_idle(const CitingRule& rule, const KeyTable& table) {
     return false;
 }
 
+/// Whether speeds or friction velocities give the drift of a wind.
+bool has_speeds(const KeyTable& table) {
+    return std::ranges::any_of(table.keys(), [](const Key& key) {
+        return key.path.starts_with("wind.") &&
+               (key.path.ends_with(".speed") || key.path.ends_with(".friction_velocity")) &&
+               value_text(key) != "\"none\"";
+    });
+}
+
 /// Whether something that a scene draws is coloured by that palette.
 bool has_palette(const KeyTable& table, std::string_view palette) {
     const bool natural = value_text(*table.find("look.colour_by")) == "\"natural\"";
@@ -139,10 +148,17 @@ std::vector<CitedWork> works_of(const Scene& scene) {
     const Key* recovery = table.find("model.infiltration_recovery");
     if (recovery != nullptr && value_text(*recovery) != "0.0")
         add("rossman_huber_2016", "recovery of infiltration");
-    const bool near_threshold = std::ranges::any_of(table.keys(), [](const Key& key) {
-        return key.path.ends_with(".threshold_ratio") && value_text(key) != "\"none\"";
+    const bool by_speed = has_speeds(table);
+    const bool near_threshold = std::ranges::any_of(table.keys(), [&](const Key& key) {
+        if (!key.path.ends_with(".threshold_ratio")) return false;
+        const std::string ratio = value_text(key);
+        return ratio != "\"none\"" && (by_speed || ratio != "\"auto\"");
     });
     if (near_threshold) add("gadal_2019", "threshold of transport");
+    if (by_speed) {
+        add("sauermann_2001", "saturated flux");
+        add("duran_moore_2013", "saturated flux");
+    }
     const Key* wall = table.find("model.wall_angle");
     if (scene.model.name == "dunes" && wall != nullptr && value_text(*wall) != "\"none\"")
         add("tsoar_1983", "walls");

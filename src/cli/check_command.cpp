@@ -20,6 +20,8 @@
 #include "scene/json.h"
 #include "scene/read.h"
 #include "scene/schedule.h"
+#include "scene/wind_tables.h"
+#include "wind/drift_json.h"
 
 namespace fumon {
 
@@ -91,7 +93,7 @@ Fine checked(const std::string& file, const std::vector<std::string>& settings, 
         plan_figure(file, settings, sources, runs, nullptr);
     }
     const auto frames = frame_schedule(scene).count();
-    return {
+    Fine fine{
         fmt::format("{}, {} x {} cells, {} steps, {} frames", scene.model.name,
                     prepared.initial.bed.nx(), prepared.initial.bed.ny(), scene.run.steps, frames),
         {{"kind", has_figure ? "figure" : "scene"},
@@ -100,6 +102,11 @@ Fine checked(const std::string& file, const std::vector<std::string>& settings, 
          {"ny", prepared.initial.bed.ny()},
          {"steps", scene.run.steps},
          {"frames", frames}}};
+    const Snapshot first = prepared.model->snapshot();
+    if (first.winds.empty()) return fine;
+    fine.words += "; " + winds_line(first);
+    fine.facts["drift"] = drift_json(first.winds);
+    return fine;
 }
 
 int perform(const CheckOptions& options) {

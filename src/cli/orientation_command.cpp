@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -31,24 +32,27 @@ using Json = nlohmann::ordered_json;
 constexpr double metres_per_micrometre = 1e-6;
 
 struct OrientationOptions {
-    std::string wind;               ///< the table of winds
-    std::string law = "saturated";  ///< by which winds move sand
-    double flux_ratio = 1.6;        ///< γ
-    double threshold = 12.0;        ///< knots, of Fryberger's law
-    double grain_diameter = 250.0;  ///< µm, of the saturated flux
-    double roughness = 1e-3;        ///< m, of the saturated flux
-    std::string bed;                ///< whose crests are measured; empty: none
-    std::string heights;            ///< "low:high", metres of black and white of a PNG bed
-    bool open_edges = false;        ///< the bed ends at its edges
+    std::string wind;                    ///< the table of winds
+    std::string law = "saturated";       ///< by which winds move sand
+    double flux_ratio = 1.6;             ///< γ
+    double threshold = 12.0;             ///< knots, of Fryberger's law
+    double grain_diameter = 250.0;       ///< µm, of the saturated flux
+    double roughness = 1e-3;             ///< m, of the saturated flux
+    double height = usual_speed_height;  ///< m, of the speeds
+    std::string bed;                     ///< whose crests are measured; empty: none
+    std::string heights;                 ///< "low:high", metres of black and white of a PNG bed
+    bool open_edges = false;             ///< the bed ends at its edges
     bool as_json = false;
     std::vector<std::string> settings;
 };
 
 void declare(CLI::App& command, OrientationOptions& options) {
     command
-        .add_option("--wind", options.wind,
-                    "a table of winds: direction,speed,frequency (where from, in degrees clockwise "
-                    "from north; m/s at 10 m; share of the time), or direction,flux")
+        .add_option(
+            "--wind", options.wind,
+            "a table of winds: direction,speed,frequency (where from, in degrees clockwise "
+            "from north; m/s; share of the time), or direction,friction_velocity,frequency, "
+            "or direction,flux")
         ->type_name("ROSE.csv")
         ->required();
     add_word(command, "--law", options.law, {"saturated", "fryberger"},
@@ -66,6 +70,9 @@ void declare(CLI::App& command, OrientationOptions& options) {
         ->type_name("UM");
     add_number(command, "--roughness", options.roughness, 1e-6, 1.0,
                "of the ground, for the saturated flux, metres (default 0.001)")
+        ->type_name("M");
+    add_number(command, "--height", options.height, 0.1, 1000.0,
+               "of the anemometer above the ground, metres (default 10)")
         ->type_name("M");
     command
         .add_option("--bed", options.bed,
@@ -95,6 +102,17 @@ struct Prediction {
     CrestDirections crests;
 };
 
+/// Fryberger's law is of speeds in knots 10 m above the ground.
+void check_fits_fryberger(const OrientationOptions& options, const WindRose& rose) {
+    if (options.height != usual_speed_height)
+        throw InputError(fmt::format(
+            "--law fryberger takes speeds 10 m above the ground, not {:g} m", options.height));
+    if (std::ranges::any_of(rose, [](const WindClass& w) { return w.friction_velocity > 0.0; }))
+        throw InputError(fmt::format(
+            "{}: --law fryberger takes speeds 10 m above the ground, not friction velocities",
+            options.wind));
+}
+
 Prediction predicted(const OrientationOptions& options) {
     Prediction of;
     const std::string text = read_input_file(options.wind);
@@ -103,13 +121,18 @@ Prediction predicted(const OrientationOptions& options) {
         of.fluxes = of.winds.fluxes;
         of.unit = "as given";
     } else if (options.law == "fryberger") {
+        check_fits_fryberger(options, of.winds.rose);
         of.fluxes = fryberger_fluxes(of.winds.rose, options.threshold);
         of.unit = "vector units";
     } else {
         SandAndAir with;
         with.grain_diameter = options.grain_diameter * metres_per_micrometre;
         with.roughness = options.roughness;
-        of.fluxes = saturated_fluxes(of.winds.rose, with);
+        if (options.height <= options.roughness)
+            throw InputError(
+                fmt::format("--height {:g} lies within the ground's --roughness of {:g} m",
+                            options.height, options.roughness));
+        of.fluxes = saturated_fluxes(of.winds.rose, with, options.height);
         of.unit = "m2 a year";
     }
     of.drift = drift_of(of.fluxes);

@@ -136,8 +136,8 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(prepared.initial.bed.size()));
     if (!prepared.initial.note.empty()) progress.note(prepared.initial.note);
-    if (const std::string winds = winds_line(prepared.model->snapshot()); !winds.empty())
-        progress.note(winds);
+    const Snapshot first = prepared.model->snapshot();
+    if (const std::string winds = winds_line(first); !winds.empty()) progress.note(winds);
 
     PipelineOptions how{options.work.backend, options.work.threads, options.checkpoint_every};
     std::optional<PreviousRun> from;
@@ -150,7 +150,7 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
         report_build_change(previous->checkpoint.build, progress);
     }
     const ManifestFacts facts{scene, prepared.initial, prepared.pool->size(),
-                              planned_files(scene, options.checkpoint_every)};
+                              planned_files(scene, options.checkpoint_every), first.winds};
     const auto started = [&](const DrawingRecord& drawing) {
         report_drawing(drawing, progress);
         if (!drawing.environment.backend.empty())

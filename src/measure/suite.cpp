@@ -136,6 +136,7 @@ constexpr std::array suite_groups{
     entry<dune_group>(on_beds),
     entry<isolated_dune_group>(on_beds),
     entry<crest_direction_group>(on_beds),
+    entry<drift_group>(on_beds_and_profiles),
     entry<pile_group>(on_piles),
     entry<avalanche_group>(on_piles),
     entry<channel_group>(on_water),

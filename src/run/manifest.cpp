@@ -12,6 +12,7 @@
 #include "run/build_identity.h"
 #include "run/frame_list.h"
 #include "scene/json.h"
+#include "wind/drift_json.h"
 
 namespace fumon {
 
@@ -36,6 +37,7 @@ Json manifest_head(const ManifestFacts& facts, const std::string& status,
                     {"dy", initial.scale.dy},
                     {"length_unit", initial.scale.in_metres ? "m" : "sites"},
                     {"height_unit", initial.scale.height_unit}};
+    if (!facts.winds.empty()) json["drift"] = drift_json(facts.winds);
     json["inputs"] = Json::array();
     for (const InputFile& input : initial.inputs) {
         json["inputs"].push_back({{"path", input.path}, {"sha256", input.hash}});

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "base/snapshot.h"
 #include "run/pipeline.h"
 #include "run/run_folder.h"
 #include "scene/initial_bed.h"
@@ -13,7 +16,8 @@ struct ManifestFacts {
     const Scene& scene;
     const InitialBed& initial;
     int threads = 0;
-    RunFiles files{};  ///< that the run may write
+    RunFiles files{};                   ///< that the run may write
+    std::vector<SnapshotWind> winds{};  ///< of a run that tells them
 };
 
 void write_running_manifest(const RunFolder& folder, const ManifestFacts& facts,

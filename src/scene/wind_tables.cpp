@@ -2,18 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 #include <vector>
 
-#include "base/elementary_angle.h"
 #include "base/error.h"
-#include "base/units.h"
 #include "files/input_file.h"
 #include "keys/key_value.h"
 #include "scene/scene_keys.h"
 #include "wind/crest_directions.h"
 #include "wind/direction.h"
+#include "wind/run_drift.h"
 #include "wind/sand_flux.h"
 #include "wind/wind_rose.h"
 
@@ -21,12 +21,27 @@ namespace fumon {
 
 namespace {
 
-/// A direction of a table: its share of the time, or of the sand where the table gives that, and
-/// the sand that it moves in a year.
+/// A direction of a table: its share of the time, or of the sand where the table gives that, the
+/// sand that it moves in a year, and likewise the sand times 1/(1 − (u*t/u*)²), by which relief
+/// counts more near the threshold.
 struct TableWind {
     double from = 0.0;
     double share = 0.0;
     double sand = 0.0;
+    double over_threshold = 0.0;
+};
+
+/// u*/u*t of one wind over which relief counts as it does over all winds of a direction.
+double threshold_ratio_of(const TableWind& wind) {
+    constexpr double largest = 1e3;
+    const double counts = wind.over_threshold / wind.sand;
+    return std::clamp(std::sqrt(counts / (counts - 1.0)), std::nextafter(1.0, 2.0), largest);
+}
+
+/// How the speeds of a table become sand.
+struct SpeedLaw {
+    SandAndAir with;
+    double height = usual_speed_height;  ///< m
 };
 
 void add(std::vector<TableWind>& winds, const TableWind& wind) {
@@ -34,18 +49,23 @@ void add(std::vector<TableWind>& winds, const TableWind& wind) {
         if (one.from != wind.from) continue;
         one.share += wind.share;
         one.sand += wind.sand;
+        one.over_threshold += wind.over_threshold;
         return;
     }
     winds.push_back(wind);
 }
 
-std::vector<TableWind> winds_of(const WindTable& table) {
+std::vector<TableWind> winds_of(const WindTable& table, const SpeedLaw& law) {
     std::vector<TableWind> winds;
     for (const SandFlux& flux : table.fluxes)
-        add(winds, {opposite(flux.toward), flux.amount, flux.amount});
+        add(winds, {opposite(flux.toward), flux.amount, flux.amount, 0.0});
+    const double threshold = impact_threshold(law.with);
     for (const WindClass& wind : table.rose) {
-        const std::vector<SandFlux> fluxes = saturated_fluxes({wind}, SandAndAir{});
-        if (!fluxes.empty()) add(winds, {wind.from, wind.share, fluxes.front().amount});
+        const std::vector<SandFlux> fluxes = saturated_fluxes({wind}, law.with, law.height);
+        if (fluxes.empty()) continue;
+        const double ratio = friction_velocity_of(wind, law.with, law.height) / threshold;
+        const double sand = fluxes.front().amount;
+        add(winds, {wind.from, wind.share, sand, sand * ratio * ratio / (ratio * ratio - 1.0)});
     }
     double whole = 0.0;
     for (const TableWind& wind : winds) whole += wind.share;
@@ -84,6 +104,19 @@ class WindList {
     double& real(std::size_t number, const char* key) {
         return *std::get<double*>(table_.find(path_of(number, key))->target);
     }
+    WordOrReal& word_or_real(std::size_t number, const char* key) {
+        return *std::get<WordOrRealTarget>(table_.find(path_of(number, key))->target).value;
+    }
+    /// A number of the model.
+    [[nodiscard]] double of_model(const char* key) const {
+        return *std::get<double*>(table_.find(key)->target);
+    }
+    [[nodiscard]] bool knows_threshold() const {
+        const auto chosen = [&](const char* key) {
+            return std::get<ChoiceTarget>(table_.find(key)->target).word();
+        };
+        return chosen("model.transport") == "continuous" && chosen("model.speed_up") == "relief";
+    }
     void clear_text(std::size_t number, const char* key) {
         std::get<std::string*>(table_.find(path_of(number, key))->target)->clear();
     }
@@ -112,6 +145,29 @@ class WindList {
     KeyTable table_;
 };
 
+void check_no_speed(const Scene& scene, WindList& list, std::size_t number) {
+    for (const char* key : {"speed", "friction_velocity"}) {
+        if (list.word_or_real(number, key).is_word()) continue;
+        const std::string path = path_of(number, key);
+        throw InputError(fmt::format("{}{}: the table {} gives the winds; leave {} out",
+                                     scene.at(path), path, list.text(number, "table"), key));
+    }
+}
+
+SpeedLaw law_of(const Scene& scene, WindList& list, std::size_t number) {
+    constexpr double metres_per_millimetre = 1e-3;
+    SpeedLaw law;
+    law.with.grain_diameter = list.of_model("model.grain_diameter") * metres_per_millimetre;
+    law.with.roughness = list.of_model("model.roughness");
+    law.height = list.real(number, "speed_height");
+    if (law.height > law.with.roughness) return law;
+    const std::string path = path_of(number, "speed_height");
+    throw InputError(fmt::format(
+        "{}{}: speeds {:g} m above the ground lie within model.roughness = {:g} m; write the "
+        "height of the anemometer",
+        scene.at(path), path, law.height, law.with.roughness));
+}
+
 }  // namespace
 
 void read_wind_tables(Scene& scene) {
@@ -121,12 +177,14 @@ void read_wind_tables(Scene& scene) {
         if (written.empty()) continue;
         const std::string key = path_of(n, "table");
         const std::filesystem::path file = file_of(scene, key, written);
+        check_no_speed(scene, list, n);
+        const SpeedLaw law = law_of(scene, list, n);
         std::vector<TableWind> winds;
         WindTable table;
         try {
             const std::string text = read_input_file(file);
             table = read_wind_table({file.string(), text});
-            winds = winds_of(table);
+            winds = winds_of(table, law);
         } catch (const InputError& fault) {
             throw InputError(scene.at(key) + fault.what());
         }
@@ -138,7 +196,9 @@ void read_wind_tables(Scene& scene) {
                                          scene.at(key), key, file.string(), winds.size()));
         const double strength = list.real(n, "strength");
         const double duration = list.real(n, "duration");
-        const double flux = *std::get<double*>(scene_keys(scene).find("model.flux")->target);
+        const double flux = list.of_model("model.flux");
+        const bool by_speed = !table.rose.empty() && list.knows_threshold() &&
+                              list.word_or_real(n, "threshold_ratio").word == "auto";
         list.clear_text(n, "table");
         list.repeat(n, winds.size());
         for (const TableWind& wind : winds) {
@@ -152,6 +212,7 @@ void read_wind_tables(Scene& scene) {
             list.real(n, "duration") = duration * wind.share;
             list.real(n, "strength") =
                 table.rose.empty() ? strength : strength * wind.sand / (flux * wind.share);
+            if (by_speed) list.word_or_real(n, "threshold_ratio") = threshold_ratio_of(wind);
             ++n;
         }
         --n;
@@ -160,12 +221,9 @@ void read_wind_tables(Scene& scene) {
 
 std::string winds_line(const Snapshot& first) {
     if (first.winds.empty()) return "";
-    std::vector<SandFlux> fluxes;
-    for (const SnapshotWind& wind : first.winds) {
-        const double toward = elementary::atan2(wind.x, wind.y) * degrees_per_radian;
-        fluxes.push_back({toward < 0.0 ? toward + full_turn : toward, wind.drift});
-    }
-    const Drift drift = drift_of(fluxes);
+    const Drift drift = drift_of(fluxes_of(first.winds));
+    if (drift.potential == 0.0)
+        return "winds move no sand: none is above the threshold of transport";
     if (std::isnan(drift.toward))
         return fmt::format("winds move {:.4g} m2 of sand a year, and none on balance",
                            drift.potential);

@@ -17,12 +17,14 @@ namespace fumon {
 namespace {
 
 constexpr double metres_per_second_per_knot = 1852.0 / 3600.0;
-constexpr double highest_speed = 150.0;  // m/s
+constexpr double highest_speed = 150.0;             // m/s
+constexpr double highest_friction_velocity = 10.0;  // m/s
 constexpr double largest_number = 1e12;
 constexpr double rounding_of_shares = 1e-3;  // a table's frequencies are rounded
 
 constexpr std::string_view header_help =
-    "the header is direction,speed,frequency (or speed_knots; percent or hours), or direction,flux";
+    "the header is direction,speed,frequency (or speed_knots or friction_velocity; percent or "
+    "hours), or direction,flux";
 
 const TableColumn& column_of(const TextSource& source, const Table& table, std::string_view name) {
     if (const TableColumn* found = table.find(name)) return *found;
@@ -71,8 +73,9 @@ double direction_of(double degrees) {
 WindTable read_wind_table(const TextSource& source) {
     const Table table = parse_csv_table(source, {{}, std::string(header_help)});
     for (const TableColumn& column : table.columns) {
-        constexpr std::array<std::string_view, 7> known{
-            "direction", "speed", "speed_knots", "frequency", "percent", "hours", "flux"};
+        constexpr std::array<std::string_view, 8> known{
+            "direction", "speed",   "speed_knots", "friction_velocity",
+            "frequency", "percent", "hours",       "flux"};
         if (std::ranges::find(known, column.name) == known.end())
             throw InputError(
                 fmt::format("{}: column {}: {}", source.name, shown(column.name), header_help));
@@ -80,6 +83,7 @@ WindTable read_wind_table(const TextSource& source) {
     const std::vector<double>& from =
         numbers_of(source, table, column_of(source, table, "direction"), 0.0, full_turn);
     const bool in_knots = table.find("speed_knots") != nullptr;
+    const bool of_friction = table.find("friction_velocity") != nullptr;
     const TableColumn* flux = table.find("flux");
     if (flux != nullptr && table.columns.size() > 2)
         throw InputError(
@@ -87,6 +91,9 @@ WindTable read_wind_table(const TextSource& source) {
     if (in_knots && table.find("speed") != nullptr)
         throw InputError(
             fmt::format("{}: speed and speed_knots say the same; keep one", source.name));
+    if (of_friction && (in_knots || table.find("speed") != nullptr))
+        throw InputError(
+            fmt::format("{}: a speed and a friction_velocity say the same; keep one", source.name));
     WindTable read;
     if (flux != nullptr) {
         const std::vector<double>& amounts = numbers_of(source, table, *flux, 0.0, largest_number);
@@ -96,13 +103,16 @@ WindTable read_wind_table(const TextSource& source) {
         }
     } else {
         const double unit = in_knots ? metres_per_second_per_knot : 1.0;
+        const char* column = of_friction ? "friction_velocity" : in_knots ? "speed_knots" : "speed";
         const std::vector<double>& speeds =
-            numbers_of(source, table, column_of(source, table, in_knots ? "speed_knots" : "speed"),
-                       0.0, highest_speed / unit);
+            numbers_of(source, table, column_of(source, table, column), 0.0,
+                       of_friction ? highest_friction_velocity : highest_speed / unit);
         const std::vector<double> share = shares(source, table);
         for (std::size_t row = 0; row < speeds.size(); ++row) {
-            if (speeds[row] > 0.0 && share[row] > 0.0)
-                read.rose.push_back({direction_of(from[row]), speeds[row] * unit, share[row]});
+            if (speeds[row] == 0.0 || share[row] == 0.0) continue;
+            const double speed = speeds[row] * unit;
+            read.rose.push_back({direction_of(from[row]), of_friction ? 0.0 : speed, share[row],
+                                 of_friction ? speed : 0.0});
         }
     }
     if (read.rose.empty() && read.fluxes.empty())

@@ -9,9 +9,10 @@ namespace fumon {
 
 /// Winds of one direction and one speed.
 struct WindClass {
-    double from = 0.0;   ///< where they blow from, degrees clockwise from north
-    double speed = 0.0;  ///< m/s, 10 m above the ground
-    double share = 0.0;  ///< of the time
+    double from = 0.0;               ///< where they blow from, degrees clockwise from north
+    double speed = 0.0;              ///< m/s, 10 m above the ground unless another height is told
+    double share = 0.0;              ///< of the time
+    double friction_velocity = 0.0;  ///< m/s; 0 where the speed is given
 };
 
 /// How strongly, and for how much of the time, the wind blows from where. What the shares lack of 1
@@ -33,9 +34,9 @@ struct WindTable {
 /// Reads comma-separated values with a header:
 ///
 /// - `direction`, degrees clockwise from north from which the wind blows, and either
-/// - `speed` (m/s) or `speed_knots`, 10 m above the ground, and how much of the time as `frequency`
-///   (a share of the time), `percent` of it or `hours` of the record; without one of these each row
-///   is an observation that counts as much as any other; or
+/// - `speed` (m/s) or `speed_knots`, above the ground, or `friction_velocity` (m/s), and how much
+///   of the time as `frequency` (a share of the time), `percent` of it or `hours` of the record;
+///   without one of these each row is an observation that counts as much as any other; or
 /// - `flux`, the sand that this wind moves, in any unit.
 ///
 /// Throws InputError for another header, a cell that is no number or out of range, frequencies that

@@ -31,6 +31,10 @@ TEST(Cite, ADuneFieldCitesWhatItIsMadeOf) {
                                      "nield_baas_2008", "baas_2002", "tsoar_1983"}));
     EXPECT_TRUE(
         ids_of("dunes", {"wind.0.from=270", "wind.0.threshold_ratio=1.5"}).contains("gadal_2019"));
+    EXPECT_FALSE(ids_of("dunes", {"wind.0.from=270"}).contains("gadal_2019"));
+    const auto of_speed = ids_of("dunes", {"wind.0.speed=8"});
+    for (const char* id : {"gadal_2019", "sauermann_2001", "duran_moore_2013"})
+        EXPECT_TRUE(of_speed.contains(id)) << id;
 }
 
 TEST(Cite, WaterCitesTheSchemeThatItIsAdvancedBy) {

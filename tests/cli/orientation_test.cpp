@@ -48,6 +48,44 @@ TEST(Orientation, IsPredictedAndMeasured) {
         << text.output;
 }
 
+/// Drift potentials of a table, of a run under it, of a check, and of its winds by their speeds.
+TEST(Orientation, ARunUnderATableHasItsDriftPotentials) {
+    const ScratchFolder folder;
+    write_text(folder / "rose.csv", "direction,speed\n270,8\n180,7\n");
+    const std::string head =
+        "[run]\nsteps = 2\n[grid]\nnx = 40\nny = 20\n[model]\nname = \"dunes\"\n";
+    write_text(folder / "table.toml", head + "[[wind]]\ntable = \"rose.csv\"\n");
+    write_text(folder / "winds.toml",
+               head + "[[wind]]\nspeed = 8\n[[wind]]\nfrom = 180\nspeed = 7\n");
+    const auto json_of = [&](std::vector<std::string> arguments) {
+        arguments.emplace_back("--json");
+        const Ended ended = fumon(arguments, folder.path());
+        EXPECT_EQ(ended.status, 0) << ended.errors;
+        return nlohmann::json::parse(ended.output);
+    };
+    const auto table = json_of({"orientation", "--wind", "rose.csv"});
+    const auto near = [&](const nlohmann::json& drift) {
+        for (const char* name :
+             {"drift_potential", "resultant_drift_potential", "resultant_drift_direction"}) {
+            const double of_table = table[name].get<double>();
+            EXPECT_NEAR(drift[name].get<double>() / of_table, 1.0, 1e-12) << name;
+        }
+    };
+    for (const auto& checked : json_of({"check", "table.toml", "winds.toml"})) {
+        near(checked["drift"]);
+        EXPECT_NEAR(checked["drift"]["winds"][1]["flux"].get<double>(), 118.7018 / 2.0, 1e-3);
+    }
+    const Ended run = fumon({"run", "table.toml", "-o", "out", "--set", "output.frames=false",
+                             "--set", "output.movie=false", "--set", "output.measure_every=1"},
+                            folder.path());
+    ASSERT_EQ(run.status, 0) << run.errors;
+    near(read_manifest(folder / "out")["drift"]);
+    EXPECT_NE(read_text(folder / "out/measurements.csv")
+                  .find("drift_potential,resultant_drift_potential,rdp_dp,"
+                        "resultant_drift_direction"),
+              std::string::npos);
+}
+
 TEST(Orientation, TellsWhereNoneIsFavoured) {
     const ScratchFolder folder;
     write_text(folder / "calm.csv", "direction,speed\n270,2\n");
@@ -61,6 +99,7 @@ TEST(Orientation, RefusesInOneLine) {
     const ScratchFolder folder;
     write_text(folder / "rose.csv", "direction,speed\n270,2\n");
     write_text(folder / "bad.csv", "direction,speed\n270,fast\n");
+    write_text(folder / "friction.csv", "direction,friction_velocity\n270,0.4\n");
     write_text(folder / "flat.asc",
                "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 1\n1 1\n");
     for (const auto& arguments : std::vector<std::vector<std::string>>{
@@ -69,6 +108,9 @@ TEST(Orientation, RefusesInOneLine) {
              {"orientation", "--wind", "bad.csv"},
              {"orientation", "--wind", "rose.csv", "--law", "bagnold"},
              {"orientation", "--wind", "rose.csv", "--roughness", "0"},
+             {"orientation", "--wind", "rose.csv", "--roughness", "1", "--height", "1"},
+             {"orientation", "--wind", "rose.csv", "--law", "fryberger", "--height", "2"},
+             {"orientation", "--wind", "friction.csv", "--law", "fryberger"},
              {"orientation", "--wind", "rose.csv", "--bed", "flat.asc"}}) {
         const Ended ended = fumon(arguments, folder.path());
         EXPECT_EQ(ended.status, 2) << arguments.back();

@@ -99,16 +99,17 @@ inline ChannelProfile channel_profile(const Grid& bed) {
     return profile;
 }
 
-/// Growth rate, 1/s, between two times of a cross-slope bed wave that starts 1e-8 m high.
+/// Growth rate, 1/s, between two times of a cross-slope bed wave of so many cells that starts 1e-8
+/// m high.
 inline double growth_rate(const GullyParameters& parameters, int wavelength, double from,
-                          double until) {
+                          double until, double cell = 1.0) {
     constexpr int rows = 4;
     Grid bed(wavelength, rows);
     const double k = 2.0 * std::numbers::pi / wavelength;
     for (int y = 0; y < rows; ++y) {
         for (int x = 0; x < wavelength; ++x) bed(x, y) = 1e-8 * std::cos(k * x);
     }
-    GullyRun run(parameters, bed, 1);
+    GullyRun run(parameters, bed, 1, cell, cell);
     const auto amplitude = [&] {
         const Grid now = run.gully.snapshot().bed;
         double cosine = 0.0;

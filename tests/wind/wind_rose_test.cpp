@@ -39,6 +39,27 @@ TEST(WindRose, IsReadInEachOfItsUnits) {
     }
 }
 
+TEST(WindRose, MayGiveFrictionVelocities) {
+    const WindRose rose = read("direction,friction_velocity,percent\n270,0.4,25\n90,0,75\n").rose;
+    ASSERT_EQ(rose.size(), 1U);
+    EXPECT_EQ(rose[0].friction_velocity, 0.4);
+    const std::vector<SandFlux> fluxes = saturated_fluxes(rose, SandAndAir{});
+    ASSERT_EQ(fluxes.size(), 1U);
+    EXPECT_NEAR(fluxes[0].amount, 288.068 / 4.0, 1e-3);
+    EXPECT_NE(refused("direction,speed,friction_velocity\n1,3,4\n").find("keep one"),
+              std::string::npos);
+    EXPECT_NE(refused("direction,friction_velocity\n1,30\n").find("'30'"), std::string::npos);
+}
+
+/// u* = 0.4 U / ln(height / roughness).
+TEST(SandFlux, SpeedsAreOfAnyHeight) {
+    const double low = 0.4 / 0.4 * std::log(3.0 / 1e-3);
+    const double high = 0.4 / 0.4 * std::log(10.0 / 1e-3);
+    const SandAndAir earth;
+    EXPECT_NEAR(saturated_fluxes({{90.0, low, 1.0}}, earth, 3.0).at(0).amount,
+                saturated_fluxes({{90.0, high, 1.0}}, earth).at(0).amount, 1e-6);
+}
+
 TEST(WindRose, MayGiveTheSandItself) {
     const WindTable table = read("direction,flux\n270,2\n30,0\n150,1\n");
     EXPECT_TRUE(table.rose.empty());

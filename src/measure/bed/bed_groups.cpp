@@ -26,6 +26,7 @@
 #include "measure/bed/wavelength.h"
 #include "wind/crest_directions.h"
 #include "wind/direction.h"
+#include "wind/run_drift.h"
 
 namespace fumon {
 
@@ -276,6 +277,24 @@ MeasureGroup crest_direction_group(const Snapshot& first) {
          {"predicted_growth_fingering", "degrees",
           "toward which dunes on bare ground grow longer (the same), likewise",
           &CrestTheory::fingering}});
+}
+
+MeasureGroup drift_group(const Snapshot& first) {
+    if (first.winds.empty()) return no_columns();
+    return group_of<Drift>(
+        [](const Snapshot& snapshot) { return drift_of(fluxes_of(snapshot.winds)); },
+        {{"drift_potential", "m2/yr",
+          "saturated flux over flat sand of all winds of the run, on the mean over its time: a "
+          "sum of fluxes, where Fryberger & Dean (1979) have vector units",
+          &Drift::potential},
+         {"resultant_drift_potential", "m2/yr", "length of the vector sum of these fluxes",
+          &Drift::resultant},
+         {"rdp_dp", "", "the latter over the former: 1 for winds from one side",
+          [](const Drift& drift) {
+              return drift.potential > 0.0 ? drift.resultant / drift.potential : undefined;
+          }},
+         {"resultant_drift_direction", "degrees",
+          "toward which the vector sum points, clockwise from north, 0 to 360", &Drift::toward}});
 }
 
 }  // namespace fumon

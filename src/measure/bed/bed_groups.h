@@ -23,5 +23,8 @@ MeasureGroup isolated_dune_group(const Snapshot& first);
 /// Which way crests run, and which way theories say that they do under the run's winds, of a model
 /// that tells these; of others no columns.
 MeasureGroup crest_direction_group(const Snapshot& first);
+/// What the run's winds move, and on balance (DP, RDP, RDP/DP, RDD), of a model that tells its
+/// winds; of others no columns.
+MeasureGroup drift_group(const Snapshot& first);
 
 }  // namespace fumon

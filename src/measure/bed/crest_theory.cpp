@@ -4,10 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "base/elementary_angle.h"
-#include "base/units.h"
 #include "measure/bed/crest_orientation.h"
 #include "wind/direction.h"
+#include "wind/run_drift.h"
 
 namespace fumon {
 
@@ -41,12 +40,7 @@ CrestTheory crest_theory(const Snapshot& snapshot, const CrestDirections& predic
 }
 
 CrestDirections predicted_crests(const Snapshot& snapshot, double flux_ratio) {
-    std::vector<SandFlux> fluxes;
-    for (const SnapshotWind& wind : snapshot.winds) {
-        const double toward = elementary::atan2(wind.x, wind.y) * degrees_per_radian;
-        fluxes.push_back({toward < 0.0 ? toward + full_turn : toward, wind.drift});
-    }
-    return crest_directions(fluxes, flux_ratio);
+    return crest_directions(fluxes_of(snapshot.winds), flux_ratio);
 }
 
 }  // namespace fumon

@@ -13,6 +13,7 @@
 #include "base/worker_pool.h"
 #include "models/dunes/ground_features.h"
 #include "models/dunes/saturation_hops.h"
+#include "models/dunes/wind_strength.h"
 
 namespace fumon {
 
@@ -199,8 +200,7 @@ double step_length(const DunesParameters& parameters, const DuneGround& ground, 
     if (parameters.transport == DuneTransport::slabs)
         return slab_height_of(parameters, ground) * saturation / (parameters.flux * strength);
     constexpr double taken = 0.03;  // of a cell's size
-    double strongest = 1.0;
-    for (const DuneWind& wind : parameters.winds) strongest = std::max(strongest, wind.strength);
+    const double strongest = strongest_wind(parameters);
     return parameters.time_step.is_word()
                ? taken * std::min(ground.dx, ground.dy) * saturation / (parameters.flux * strongest)
                : parameters.time_step.value;
@@ -212,7 +212,7 @@ constexpr double highest_bed = 5e5;  // m: 2⁵¹ units and less, see whole_numb
 }  // namespace
 
 Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
-    : parameters_(parameters),
+    : parameters_(with_wind_strengths(parameters)),
       scale_(setup.scale),
       ground_(ground_of(parameters, setup)),
       pool_(setup.pool),
@@ -221,14 +221,14 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
                        tangent(parameters.shadow_angle)},
       slab_height_(slab_height_of(parameters, ground_)),
       schedule_(
-          parameters.winds,
-          [&](double strength) { return step_length(parameters, ground_, strength); }, setup.seed),
+          parameters_.winds,
+          [&](double strength) { return step_length(parameters_, ground_, strength); }, setup.seed),
       bed_(first_bed(parameters, setup)),
       slopes_(
           {ground_.nx, ground_.ny, ground_.dx, ground_.dy, ground_.periodic_x, ground_.periodic_y},
           {parameters.static_angle, parameters.repose_angle}, setup.pool),
       shadow_(ground_, setup.pool) {
-    check_winds(parameters);
+    check_winds(parameters_);
     check_angles(parameters);
     check_transport(parameters, setup);
     check_saturation(parameters, ground_);
@@ -245,10 +245,10 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
         slid_at_ = FixedPointGrid(ground_.nx, ground_.ny);
     }
     if (parameters.transport == DuneTransport::slabs) {
-        slabs_.emplace(parameters, ground_, slab_height_, shadow_tangents_, setup.seed, pool_);
+        slabs_.emplace(parameters_, ground_, slab_height_, shadow_tangents_, setup.seed, pool_);
         return;
     }
-    continuous_.emplace(parameters, ground_, step_length(parameters, ground_, 1.0), pool_);
+    continuous_.emplace(parameters_, ground_, step_length(parameters_, ground_, 1.0), pool_);
     if (parameters.speed_up == DuneSpeedUp::relief)
         shear_.emplace(ground_, parameters.shear_in_phase, parameters.shear_ahead, pool_);
     if (!parameters.windward_angle.is_word())

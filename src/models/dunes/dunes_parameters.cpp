@@ -35,12 +35,30 @@ void list_wind(DuneWind& wind, const std::string& path, KeyTable& table) {
         {.unit = "yr", .range = {0, 1e6, true}, .help = "how long a gust lasts, in whole steps"});
     table.word_or_real(
         path + ".threshold_ratio", wind.threshold_ratio,
-        {{"none", "a wind far above the threshold: the drift follows the stress"}},
+        {{"auto",
+          "of winds whose speed or friction velocity is given, also by a table, what these are; of "
+          "others \"none\""},
+         {"none", "a wind far above the threshold: the drift follows the stress"}},
         {.range = {1, 1e3, true},
          .help = "its friction velocity over that at which sand begins to move, which "
                  "slopes raise: near 1 relief counts for more and flat beds grow "
                  "longer waves or none (Gadal et al. 2019); of speed_up = "
-                 "\"relief\""});
+                 "\"relief\"",
+         .earlier = {"0.3.0", "\"none\""}});
+    table.word_or_real(
+        path + ".speed", wind.speed, {{"none", "its drift is given by its strength"}},
+        {.unit = "m/s",
+         .range = {0, 150},
+         .help = "at wind.speed_height; its drift is then the saturated flux (Sauermann et al. "
+                 "2001; Duran & Moore 2013) of u* = 0.4 speed / ln(speed_height / "
+                 "model.roughness), and none up to the threshold"});
+    table.word_or_real(path + ".friction_velocity", wind.friction_velocity,
+                       {{"none", "its drift is given by its strength or speed"}},
+                       {.unit = "m/s", .range = {0, 10}, .help = "u*, instead of a speed"});
+    table.real(path + ".speed_height", wind.speed_height,
+               {.unit = "m",
+                .range = {0, 1e3, true},
+                .help = "of the anemometer above the ground, of its speed or those of its table"});
 }
 
 void list_feature(DuneFeature& feature, const std::string& path, KeyTable& table) {
@@ -147,10 +165,20 @@ void list_transport_keys(DunesParameters& dunes, KeyTable& table) {
           "(after Nilles, Guenther & Mueller 2024)"},
          {DuneTransport::slabs, "slabs", "random slabs hop until they come to rest (Werner 1995)"}},
         {.help = "how the wind carries sand"});
-    table.real("model.flux", dunes.flux,
-               {.unit = "m^2/yr",
-                .range = {0, 1e6, true},
-                .help = "drift over flat sand, where it is saturated: volume per width and year"});
+    table.real(
+        "model.flux", dunes.flux,
+        {.unit = "m^2/yr",
+         .range = {0, 1e6, true},
+         .help = "drift over flat sand, where it is saturated: volume per width and year; of "
+                 "winds of strength 1"});
+    table.real("model.grain_diameter", dunes.grain_diameter,
+               {.unit = "mm",
+                .range = {0.05, 2},
+                .help = "of the sand, where speeds of winds give the drift and its threshold"});
+    table.real("model.roughness", dunes.roughness,
+               {.unit = "m",
+                .range = {1e-6, 1},
+                .help = "of the ground, by which a wind's speed becomes a friction velocity"});
     table.word_or_real(
         "model.saturation_length", dunes.saturation_length,
         {{"auto", "1.3 m, or a cell's size where that is more"},

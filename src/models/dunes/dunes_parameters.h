@@ -27,8 +27,16 @@ struct DuneWind {
     std::string table{};         ///< a file; empty for a wind
     double gust_angle = 0.0;     ///< degrees: standard deviation of gusts' directions about `from`
     double gust_strength = 0.0;  ///< standard deviation of gusts' strengths, in parts of `strength`
-    double gust_duration = 0.01;              ///< years
-    WordOrReal threshold_ratio{"none", 0.0};  ///< u* / u*t
+    double gust_duration = 0.01;                ///< years
+    WordOrReal threshold_ratio{"auto", 0.0};    ///< u* / u*t
+    WordOrReal speed{"none", 0.0};              ///< m/s, instead of a strength
+    WordOrReal friction_velocity{"none", 0.0};  ///< u*, m/s, instead of a strength
+    double speed_height = 10.0;                 ///< m above the ground
+
+    /// Whether its drift follows from a speed or a friction velocity.
+    [[nodiscard]] bool is_measured() const {
+        return !speed.is_word() || !friction_velocity.is_word();
+    }
 
     friend bool operator==(const DuneWind&, const DuneWind&) = default;
 };
@@ -62,6 +70,8 @@ struct DunesParameters {
     std::vector<DuneWind> winds;  ///< in turn; none: one from 270 degrees
 
     double flux = 100.0;  ///< saturated drift over flat sand, m²/yr (m³ per m width and year)
+    double grain_diameter = 0.25;               ///< mm, of winds given by speeds
+    double roughness = 1e-3;                    ///< m, of the ground under these
     WordOrReal saturation_length{"auto", 0.0};  ///< m; "hops": of hops by hop_length
     double hop_length = 1.0;                    ///< m
     double deposit_on_sand = 0.6;

@@ -32,6 +32,13 @@ class WorkerPool;
 /// negative (outward fluxes are cut to the water that is there) and no water is lost; a uniform
 /// film at V = √(g h·slope/C_f) stays uniform. Water thinner than 10⁻⁹ m does not move.
 ///
+/// What upwinding levels: where friction holds the flow across a wave, its fluxes at faces level
+/// the surface at a rate of 2 √(gh) sin⁴(k dx/2) / dx beside that of the equations, (g h² / C_f V)
+/// sin²(k dx) / dx². Waves that hang on this levelling, as the bed's under a thin film on coarse
+/// cells, feel it at some ten cells and less: bed waves of 10 cells of 4 m under 10 mm of water
+/// grow by .0126 /s for .0107 of central differences and .0114 of the equations, of 10 cells of 1 m
+/// by .0301 for .0292 and .0302. It falls with the square of the cells in a wave.
+///
 /// Edges: periodic; wall, a mirror; open, and likewise cells without data: a dry step of equal
 /// height over which water falls, so that it leaves freely and none comes in. Stretches of edges
 /// that are not periodic may have a kind of their own, or a discharge or level (WaterEdges).

@@ -70,6 +70,10 @@ GridSide side_of(GaugeSide side) {
     return GridSide::west;
 }
 
+/// Within which ends of lines on the grid's edges may miss these, in cells: 100 times .57
+/// is less than 57 in binary numbers, and coordinates of maps are rounded.
+constexpr double rounding_of_edges = 1e-6;
+
 /// The line between cells next to a place, from 0 to `count`.
 int nearest_line(double place, double size, int count) {
     return std::clamp(static_cast<int>(std::floor(place / size + 0.5)), 0, count);
@@ -94,10 +98,12 @@ Gauges::Gauges(const GullyParameters& parameters, const WaterDomain& domain,
         const bool is_line = !settings.to.empty();
         const auto locate = [&](const char* key, const std::vector<double>& place) {
             const auto metres = place_in_grid(settings, n, key, place, scale);
-            const auto lies_in = [&](double at, double end) {
-                return at >= 0.0 && (is_line ? at <= end : at < end);
+            const auto lies_in = [&](double at, double size, int count) {
+                const double end = size * count;
+                const double rounding = rounding_of_edges * size;
+                return is_line ? at >= -rounding && at <= end + rounding : at >= 0.0 && at < end;
             };
-            if (lies_in(metres[0], domain.dx * nx) && lies_in(metres[1], domain.dy * ny))
+            if (lies_in(metres[0], domain.dx, nx) && lies_in(metres[1], domain.dy, ny))
                 return metres;
             throw KeyError(
                 key_of(n, key),

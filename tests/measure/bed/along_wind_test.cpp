@@ -108,6 +108,22 @@ TEST(BedAlongWind, WavesAcrossAnObliqueWindHaveTheirLength) {
     EXPECT_NEAR(measured(both, "predicted_crests_gross_transport").at(1), 126.87, 0.1);
 }
 
+/// 30 m²/yr northward and 40 m²/yr eastward: 50 toward atan(40/30).
+TEST(Drift, OfTwoWindsByHand) {
+    const Grid bed = test::bed_of(20, 20, [](int x, int) { return 0.1 * x; });
+    const Snapshot two = snapshot_of(bed, 0, {{0.0, 1.0, 30.0}, {1.0, 0.0, 40.0}});
+    const std::vector<Snapshot> both{two, two};
+    EXPECT_NEAR(measured(both, "drift_potential").at(1), 70.0, 1e-12);
+    EXPECT_NEAR(measured(both, "resultant_drift_potential").at(1), 50.0, 1e-12);
+    EXPECT_NEAR(measured(both, "rdp_dp").at(1), 50.0 / 70.0, 1e-12);
+    EXPECT_NEAR(measured(both, "resultant_drift_direction").at(1), 53.130102, 1e-6);
+    const Snapshot calm = snapshot_of(bed, 0, {{0.0, 1.0, 0.0}});
+    const std::vector<Snapshot> calms{calm, calm};
+    EXPECT_EQ(measured(calms, "drift_potential").at(1), 0.0);
+    EXPECT_TRUE(std::isnan(measured(calms, "rdp_dp").at(1)));
+    EXPECT_TRUE(std::isnan(measured(calms, "resultant_drift_direction").at(1)));
+}
+
 TEST(BedAlongWind, WindsThatCancelHaveNoDownwind) {
     std::vector<SnapshotWind> winds;
     for (int k = 0; k < 5; ++k)

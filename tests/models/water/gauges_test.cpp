@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/find_named.h"
+#include "support/temporary_folder.h"
 
 namespace fumon::test {
 namespace {
@@ -76,6 +77,34 @@ TEST(Gauges, StandWhereTheMapSays) {
     gauge.coordinates = GaugeCoordinates::map;
     gauge.name = "bridge";
     EXPECT_EQ(reading(gauge, "bridge_level_m"), 107.5);
+}
+
+/// What a grid of 3 by 100 cells says to a line up to its northern edge, or along that.
+std::string of_northern_edge(GaugeSettings line, double dy, double south) {
+    GullyParameters parameters;
+    parameters.gauges = {std::move(line)};
+    WorldScale scale{2.0, dy, 1.0, true};
+    scale.place = GeoReference{500.0, south, 2.0, dy, true, ""};
+    WaterDomain domain = domain_of_gauges();
+    domain.dy = dy;
+    return message_of<KeyError>([&] { Gauges(parameters, domain, scale, 3, 100); });
+}
+
+TEST(Gauges, LinesMayEndOnTheNorthernEdge) {
+    ASSERT_LT(0.57 * 100, 57.0) << "rounded";
+    for (const bool swapped : {false, true}) {
+        const auto line = [&](std::vector<double> from, std::vector<double> to) {
+            return swapped ? at(std::move(to), std::move(from))
+                           : at(std::move(from), std::move(to));
+        };
+        EXPECT_EQ(of_northern_edge(line({2.0, 0.0}, {2.0, 57.0}), 0.57, 0.0), "");
+        EXPECT_EQ(of_northern_edge(line({0.0, 57.0}, {6.0, 57.0}), 0.57, 0.0), "");
+        EXPECT_EQ(of_northern_edge(line({2.0, 0.0}, {4.0, 500.0}), 5.0, 0.0), "");
+        GaugeSettings on_map = line({502.0, 4000123.4}, {502.0, 4000180.4});
+        on_map.coordinates = GaugeCoordinates::map;
+        EXPECT_EQ(of_northern_edge(on_map, 0.57, 4000123.4), "");
+        EXPECT_NE(of_northern_edge(line({2.0, 0.0}, {2.0, 57.01}), 0.57, 0.0), "") << "beyond it";
+    }
 }
 
 TEST(Gauges, RefuseToStandNowhere) {
