@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "support/measured_beds.h"
 
@@ -83,6 +86,30 @@ TEST(BedSlopes, AreMeasuredBetweenHoles) {
     EXPECT_NEAR(found.stoss, whole.stoss, 1e-9);
     EXPECT_NEAR(found.lee, whole.lee, 1e-9);
     EXPECT_TRUE(std::isnan(bed_slopes(bed, true, Mask(bed.nx(), bed.ny(), 1)).stoss));
+}
+
+TEST(BedSlopes, OfManySitesAreThoseOfAllSorted) {
+    Grid bed = test::noise(331, 300, 4);
+    for (int y = 0; y < 300; ++y) bed(7, y) = 40.0 + y;  // spikes, which no sample foresees
+    for (const bool periodic : {true, false}) {
+        std::vector<double> rises;
+        std::vector<double> falls;
+        for (int y = 0; y < bed.ny(); ++y) {
+            for (int x = 0; x < (periodic ? bed.nx() : bed.nx() - 1); ++x) {
+                const double difference = bed((x + 1) % bed.nx(), y) - bed(x, y);
+                (difference > 0.0 ? rises : falls).push_back(std::abs(difference));
+            }
+        }
+        const BedSlopes found = bed_slopes(bed, periodic);
+        for (auto* side : {&rises, &falls}) {
+            const double sum = std::accumulate(side->begin(), side->end(), 0.0);
+            const double mean = sum / static_cast<double>(side->size());
+            std::sort(side->begin(), side->end());
+            const double steep = (*side)[(side->size() * 9 + 9) / 10 - 1];
+            EXPECT_NEAR(side == &rises ? found.stoss : found.lee, mean, 1e-12);
+            EXPECT_EQ(side == &rises ? found.steep_stoss : found.steep_lee, steep);
+        }
+    }
 }
 
 }  // namespace
