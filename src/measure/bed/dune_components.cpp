@@ -212,12 +212,12 @@ DuneComponents dune_components(const Grid& bed, double level, bool periodic) {
 
 ComponentsWithin components_within(const Grid& bed, const DuneComponents& pieces,
                                    std::span<const double> heights, double share, bool periodic) {
-    struct Place {
+    struct OwnedRun {
         int first;
         int last;
         std::size_t piece;
     };
-    std::vector<std::vector<Place>> rows(static_cast<std::size_t>(bed.ny()));
+    std::vector<std::vector<OwnedRun>> rows(static_cast<std::size_t>(bed.ny()));
     for (std::size_t piece = 0; piece < pieces.pieces.size(); ++piece) {
         if (!(heights[piece] > 0.0)) continue;
         for (const RowRun& run : pieces.runs_of(pieces.pieces[piece])) {
@@ -229,18 +229,18 @@ ComponentsWithin components_within(const Grid& bed, const DuneComponents& pieces
     Runs found;
     std::vector<std::size_t> piece_of_run;
     for (int y = 0; y < bed.ny(); ++y) {
-        std::vector<Place>& row = rows[static_cast<std::size_t>(y)];
+        std::vector<OwnedRun>& row = rows[static_cast<std::size_t>(y)];
         found.row_begin.push_back(found.runs.size());
-        std::ranges::sort(row, {}, &Place::first);
-        for (const Place& place : row) {
+        std::ranges::sort(row, {}, &OwnedRun::first);
+        for (const OwnedRun& run : row) {
             const auto cells =
-                bed.row(y).subspan(static_cast<std::size_t>(place.first),
-                                   static_cast<std::size_t>(place.last - place.first) + 1);
-            const double height = heights[place.piece];
+                bed.row(y).subspan(static_cast<std::size_t>(run.first),
+                                   static_cast<std::size_t>(run.last - run.first) + 1);
+            const double height = heights[run.piece];
             add_runs(
-                cells, y, place.first, [&](double cell) { return cell / height > share; },
+                cells, y, run.first, [&](double cell) { return cell / height > share; },
                 found.runs);
-            piece_of_run.resize(found.runs.size(), place.piece);
+            piece_of_run.resize(found.runs.size(), run.piece);
         }
     }
     found.row_begin.push_back(found.runs.size());
