@@ -6,6 +6,7 @@
 
 #include "base/snapshot_lookup.h"
 #include "measure/air/air_groups.h"
+#include "measure/bed/bed_findings.h"
 #include "measure/bed/bed_groups.h"
 #include "measure/network/network_groups.h"
 #include "measure/number_group.h"
@@ -67,6 +68,7 @@ class MeasureSuite::Parts {
     std::vector<MeasureColumn> measured;  ///< as the groups have them
     std::vector<MeasureColumn> columns;   ///< as they are told
     bool in_metres = false;
+    SharedFindings findings = std::make_shared<BedFindings>();
 };
 
 namespace {
@@ -77,6 +79,7 @@ struct GroupRequest {
     const Snapshot& first;
     std::span<const MeasureColumn> taken;  ///< the columns before its own
     const MeasureChoice& choice;
+    SharedFindings findings;  ///< of the snapshot that is measured
 };
 
 using MakeGroup = MeasureGroup (*)(const GroupRequest& request);
@@ -98,7 +101,8 @@ constexpr unsigned on_water = bit(Landform::water);
 constexpr unsigned of_air = bit(Landform::air);
 constexpr unsigned everywhere = on_beds_and_profiles | on_piles | on_water | of_air;
 
-/// Groups take what they need: nothing, the first snapshot, the columns before theirs, or all.
+/// Groups take what they need: nothing, the first snapshot, what measures share, the columns before
+/// theirs, or all.
 template <auto group>
 constexpr SuiteGroup entry(unsigned landforms) {
     return {[](const GroupRequest& request) -> MeasureGroup {
@@ -106,6 +110,9 @@ constexpr SuiteGroup entry(unsigned landforms) {
                     return group();
                 } else if constexpr (std::is_invocable_v<decltype(group), const Snapshot&>) {
                     return group(request.first);
+                } else if constexpr (std::is_invocable_v<decltype(group), const Snapshot&,
+                                                         const SharedFindings&>) {
+                    return group(request.first, request.findings);
                 } else if constexpr (std::is_invocable_v<decltype(group), const GroupRequest&>) {
                     return group(request);
                 } else {
@@ -156,7 +163,7 @@ MeasureSuite::MeasureSuite(Landform landform, const Snapshot& first, const Measu
     std::vector<MeasureColumn>& columns = parts_->measured;
     for (const SuiteGroup& group : suite_groups) {
         if ((group.landforms & bit(landform)) == 0) continue;
-        parts_->groups.push_back(group.make({landform, first, columns, choice}));
+        parts_->groups.push_back(group.make({landform, first, columns, choice, parts_->findings}));
         const std::vector<MeasureColumn>& own = parts_->groups.back().columns;
         columns.insert(columns.end(), own.begin(), own.end());
     }
@@ -188,6 +195,7 @@ void MeasureSuite::serialise(StateArchive& archive) {
 std::vector<double> MeasureSuite::row(const Snapshot& snapshot) {
     std::vector<double> values;
     values.reserve(parts_->columns.size());
+    parts_->findings->begin(snapshot);
     for (const MeasureGroup& group : parts_->groups) {
         const std::vector<double> some = group.values(snapshot);
         values.insert(values.end(), some.begin(), some.end());

@@ -14,6 +14,7 @@
 #include "figure/panels/hill_shading.h"
 #include "figure/panels/map_panel.h"
 #include "figure/words/words.h"
+#include "measure/bed/crest_orientation.h"
 #include "measure/bed/crest_theory.h"
 #include "paper/map_content.h"
 #include "paper/panel_look.h"
@@ -95,7 +96,8 @@ std::vector<MapLine> crest_lines_of(const Snapshot& snapshot, double flux_ratio)
     };
     const CrestDirections predicted = predicted_crests(snapshot, flux_ratio);
     std::vector<MapLine> lines;
-    const double measured = crest_theory(snapshot, predicted).measured;
+    const double measured =
+        crest_theory(crest_orientation(snapshot.bed, snapshot.periodic), predicted).measured;
     if (!std::isnan(measured)) lines.push_back({along(measured), false});
     for (const double crests : predicted.bed_instability) lines.push_back({along(crests), true});
     return lines;

@@ -12,7 +12,7 @@
 #include "base/limits.h"
 #include "base/snapshot_lookup.h"
 #include "base/units.h"
-#include "measure/bed/bed_along_wind.h"
+#include "measure/bed/bed_findings.h"
 #include "measure/bed/bed_statistics.h"
 #include "measure/bed/celerity.h"
 #include "measure/bed/crest_height.h"
@@ -42,9 +42,9 @@ auto of_whole_beds(Finding find) {
     };
 }
 
-/// A bed along the wind; of winds that cancel, along x.
-BedAlongWind along_the_wind(const Snapshot& snapshot) {
-    return bed_along_wind(snapshot, downwind(snapshot).value_or(HorizontalDirection{}));
+/// What all groups share, of a bed without holes: each measure takes of it what it needs.
+auto of_shared(const SharedFindings& findings) {
+    return of_whole_beds([findings](const Snapshot&) { return findings.get(); });
 }
 
 /// The bed of the row before.
@@ -98,16 +98,11 @@ MeasureGroup no_columns() {
     return {{}, [](const Snapshot&) { return std::vector<double>(); }};
 }
 
-struct Crests {
-    CrestOrientation orientation;
-    CrestDefects defects;
-};
-
 }  // namespace
 
-MeasureGroup statistics_group(const Snapshot& first) {
+MeasureGroup statistics_group(const Snapshot& first, const SharedFindings& findings) {
     return group_of<BedStatistics>(
-        [](const Snapshot& snapshot) { return bed_statistics(snapshot.bed, snapshot.nodata); },
+        [findings](const Snapshot&) { return findings->statistics(); },
         {{"mean_height", "heights", "mean of the bed", &BedStatistics::mean},
          {"standard_deviation", "heights", "of the heights over all cells",
           &BedStatistics::standard_deviation},
@@ -117,37 +112,31 @@ MeasureGroup statistics_group(const Snapshot& first) {
           &BedStatistics::total}});
 }
 
-MeasureGroup wave_group() {
-    struct Waves {
-        BedAlongWind along;
-        const Grid* bed;
-    };
-    return group_of<Waves>(
-        of_whole_beds([](const Snapshot& snapshot) {
-            return Waves{along_the_wind(snapshot), &snapshot.bed};
-        }),
+MeasureGroup wave_group(const Snapshot& /*first*/, const SharedFindings& findings) {
+    return group_of<BedFindings*>(
+        of_shared(findings),
         {{"wavelength_spectrum", "sites", "downwind: centroid of the power spectrum's peak",
-          [](const Waves& on) { return wavelength_spectrum(on.along.bed, on.along.periodic); }},
+          [](BedFindings* on) { return on->wavelength(); }},
          {"wavelength_autocorrelation", "sites", "downwind: first peak of the autocorrelation",
-          [](const Waves& on) {
-              return wavelength_autocorrelation(on.along.bed, on.along.periodic);
+          [](BedFindings* on) {
+              return wavelength_of_autocorrelation(on->power(), on->along().nx(),
+                                                   on->along_is_periodic());
           }},
          {"wavelength_crossings", "sites",
           "downwind: upward crossings with hysteresis (mean +- sd/2)",
-          [](const Waves& on) { return wavelength_crossings(on.along.bed, on.along.periodic); }},
+          [](BedFindings* on) { return wavelength_of_crossings(on->waves(), on->along().nx()); }},
          {"top_one_percent_height", "heights", "mean of the highest 1 % of the cells",
-          [](const Waves& on) { return top_one_percent_mean(*on.bed); }},
-         {"crest_to_trough_height", "heights", "mean over the waves downwind", [](const Waves& on) {
-              return crest_to_trough_height(on.along.bed, on.along.periodic);
-          }}});
+          [](BedFindings* on) { return top_one_percent_mean(on->snapshot().bed); }},
+         {"crest_to_trough_height", "heights", "mean over the waves downwind",
+          [](BedFindings* on) { return crest_to_trough(on->waves()); }}});
 }
 
-MeasureGroup celerity_group() {
+MeasureGroup celerity_group(const Snapshot& /*first*/, const SharedFindings& findings) {
     const auto before = std::make_shared<BedBefore>();
     MeasureGroup group = group_of<Celerity>(
-        of_whole_beds([before](const Snapshot& snapshot) {
+        of_whole_beds([before, findings](const Snapshot& snapshot) {
             Celerity celerity;
-            const std::optional<HorizontalDirection> direction = downwind(snapshot);
+            const std::optional<HorizontalDirection>& direction = findings->wind();
             if (direction && snapshot.periodic && !before->bed.empty() &&
                 snapshot.step > before->step) {
                 Snapshot earlier;
@@ -155,9 +144,13 @@ MeasureGroup celerity_group() {
                 earlier.bed = std::move(before->bed);
                 earlier.scale = snapshot.scale;
                 earlier.periodic = true;
-                celerity = celerity_along(earlier, snapshot, *direction);
+                celerity = direction->is_east() ? celerity_along_x(earlier.bed, snapshot.bed,
+                                                                   snapshot.step - earlier.step)
+                                                : celerity_along(earlier, snapshot, *direction);
+                before->bed = std::move(earlier.bed);
             }
-            *before = {snapshot.bed, snapshot.step};
+            before->bed = snapshot.bed;  // into the same memory
+            before->step = snapshot.step;
             return celerity;
         }),
         {{"celerity", "sites/step", "downwind, by correlation with the row before",
@@ -168,16 +161,15 @@ MeasureGroup celerity_group() {
     return group;
 }
 
-MeasureGroup slope_group() {
+MeasureGroup slope_group(const Snapshot& /*first*/, const SharedFindings& findings) {
     return group_of<BedSlopes>(
-        [](const Snapshot& snapshot) -> std::optional<BedSlopes> {
-            const std::optional<HorizontalDirection> direction = downwind(snapshot);
+        [findings](const Snapshot& snapshot) -> std::optional<BedSlopes> {
+            const std::optional<HorizontalDirection>& direction = findings->wind();
             if (!direction) return std::nullopt;
             if (direction->is_east())
                 return bed_slopes(snapshot.bed, snapshot.periodic, snapshot.nodata);
             if (!snapshot.nodata.empty()) return std::nullopt;
-            const BedAlongWind along = bed_along_wind(snapshot, *direction);
-            return bed_slopes(along.bed, along.periodic);
+            return bed_slopes(findings->along(), findings->along_is_periodic());
         },
         {{"stoss_slope", "heights/site", "mean of the sites that rise downwind (face the wind)",
           &BedSlopes::stoss},
@@ -204,27 +196,32 @@ MeasureGroup slip_face_group(const Snapshot& first) {
          {"slip_face_cover", "", "share of the cells that are such", &SlipFaces::cover}});
 }
 
-MeasureGroup crest_group() {
-    return group_of<Crests>(
-        of_whole_beds([](const Snapshot& snapshot) {
-            const BedAlongWind along = along_the_wind(snapshot);
-            Crests crests{crest_orientation(snapshot.bed, snapshot.periodic),
-                          crest_defects(along.bed, along.periodic,
-                                        wavelength_spectrum(along.bed, along.periodic))};
-            const std::optional<HorizontalDirection> direction = downwind(snapshot);
-            if (direction && !direction->is_east())
-                crests.orientation.degrees = turned_against(*direction, crests.orientation.degrees);
-            return crests;
+MeasureGroup crest_group(const Snapshot& /*first*/, const SharedFindings& findings) {
+    const auto defects = std::make_shared<std::optional<CrestDefects>>();
+    const auto defects_of = [defects](BedFindings* on) -> const CrestDefects& {
+        if (!*defects)
+            *defects = crest_defects(on->along(), on->along_is_periodic(), on->wavelength());
+        return **defects;
+    };
+    return group_of<BedFindings*>(
+        of_whole_beds([findings, defects](const Snapshot&) {
+            defects->reset();
+            return findings.get();
         }),
         {{"crest_orientation", "degrees",
           "of the crests against the normal to the wind, counterclockwise",
-          [](const Crests& crests) { return crests.orientation.degrees; }},
+          [](BedFindings* on) {
+              const double degrees = on->orientation().degrees;
+              const auto& direction = on->wind();
+              const bool turned = direction && !direction->is_east();
+              return turned ? turned_against(*direction, degrees) : degrees;
+          }},
          {"crest_coherence", "", "1 where all slopes lie along one line, 0 where none is preferred",
-          [](const Crests& crests) { return crests.orientation.coherence; }},
+          [](BedFindings* on) { return on->orientation().coherence; }},
          {"crest_defects", "", "ends of crest lines, Y-junctions among them",
-          [](const Crests& crests) { return static_cast<double>(crests.defects.ends); }},
+          [defects_of](BedFindings* on) { return static_cast<double>(defects_of(on).ends); }},
          {"crest_defect_density", "1/site", "pairs of ends over the length of all crests",
-          [](const Crests& crests) { return crests.defects.defect_density; }}});
+          [defects_of](BedFindings* on) { return defects_of(on).defect_density; }}});
 }
 
 MeasureGroup dune_group() {
@@ -260,12 +257,13 @@ MeasureGroup isolated_dune_group(const Snapshot& first) {
           &IsolatedDunes::height_to_width}});
 }
 
-MeasureGroup crest_direction_group(const Snapshot& first) {
+MeasureGroup crest_direction_group(const Snapshot& first, const SharedFindings& findings) {
     if (first.winds.empty()) return no_columns();
     const CrestDirections predicted = predicted_crests(first, flux_ratio_of_dunes);
     return group_of<CrestTheory>(
-        of_whole_beds(
-            [predicted](const Snapshot& snapshot) { return crest_theory(snapshot, predicted); }),
+        of_whole_beds([predicted, findings](const Snapshot&) {
+            return crest_theory(findings->orientation(), predicted);
+        }),
         {{"crest_direction", "degrees", "along which crests run, clockwise from north, 0 to 180",
           &CrestTheory::measured},
          {"predicted_crests_gross_transport", "degrees",

@@ -2,62 +2,44 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <limits>
 #include <vector>
 
-#include "measure/bed/detrended_row.h"
-#include "measure/bed/row_waves.h"
+#include "measure/shared/sampled_rank.h"
 #include "measure/shared/undefined.h"
 
 namespace fumon {
 
-namespace {
-
-/// Highest minus lowest of the sites first … last − 1, going round the row's end.
-double relief(std::span<const double> heights, std::size_t first, std::size_t last) {
-    double lowest = heights[first];
-    double highest = heights[first];
-    for (std::size_t x = first; x < last; ++x) {
-        const double height = heights[x < heights.size() ? x : x - heights.size()];
-        lowest = std::min(lowest, height);
-        highest = std::max(highest, height);
-    }
-    return highest - lowest;
-}
-
-}  // namespace
-
 double top_one_percent_mean(const Grid& bed) {
     if (bed.empty()) return undefined;
-    std::vector<double> heights(bed.values().begin(), bed.values().end());
-    const std::size_t count = (heights.size() + 99) / 100;
-    const auto end = heights.begin() + static_cast<std::ptrdiff_t>(count);
-    std::nth_element(heights.begin(), end - 1, heights.end(), std::greater<>());
-    std::sort(heights.begin(), end);
+    constexpr std::size_t sampled_sites = 61;  // of which one is of the sample
+    const auto values = bed.values();
+    const std::size_t count = (values.size() + 99) / 100;
+    const std::size_t rank = values.size() - count;  // of the lowest one that counts
+    std::vector<double> sample;
+    for (std::size_t cell = 0; cell < values.size(); cell += sampled_sites)
+        sample.push_back(values[cell]);
+    SampledRank highest(std::move(sample), 1.0 - 0.01);
+    const auto add_all = [&] {
+        for (int y = 0; y < bed.ny(); ++y) highest.add(bed.row(y));
+        return highest.find(rank).has_value();
+    };
+    if (!add_all()) {
+        highest.widen();
+        add_all();
+    }
+    const auto top = highest.kept().last(count);
+    std::sort(top.begin(), top.end());
     double sum = 0.0;
-    std::for_each(heights.begin(), end, [&](double height) { sum += height; });
+    for (const double height : top) sum += height;
     return sum / static_cast<double>(count);
 }
 
+double crest_to_trough(const BedWaves& waves) {
+    return waves.reliefs > 0 ? waves.relief / static_cast<double>(waves.reliefs) : undefined;
+}
+
 double crest_to_trough_height(const Grid& bed, bool periodic) {
-    const auto nx = static_cast<std::size_t>(bed.nx());
-    std::vector<double> departures(nx);
-    std::vector<int> sites;
-    double sum = 0.0;
-    std::int64_t waves = 0;
-    for (int y = 0; y < bed.ny(); ++y) {
-        detrend_row(bed.row(y), periodic, departures);
-        find_upward_crossings(departures, periodic, sites);
-        if (periodic && !sites.empty()) sites.push_back(sites.front() + bed.nx());
-        for (std::size_t wave = 1; wave < sites.size(); ++wave) {
-            sum += relief(departures, static_cast<std::size_t>(sites[wave - 1]),
-                          static_cast<std::size_t>(sites[wave]));
-            ++waves;
-        }
-    }
-    return waves > 0 ? sum / static_cast<double>(waves) : undefined;
+    return crest_to_trough(bed_waves(bed, periodic));
 }
 
 }  // namespace fumon

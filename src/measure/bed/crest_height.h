@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/grid.h"
+#include "measure/bed/bed_waves.h"
 
 namespace fumon {
 
@@ -17,5 +18,8 @@ double top_one_percent_mean(const Grid& bed);
 /// where there is no wave. A row that grazes a dune's flank counts like one over its top, so that
 /// isolated dunes come out lower than their tops.
 double crest_to_trough_height(const Grid& bed, bool periodic);
+
+/// The same of waves that were counted.
+double crest_to_trough(const BedWaves& waves);
 
 }  // namespace fumon

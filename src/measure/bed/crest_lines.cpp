@@ -7,7 +7,7 @@
 
 #include "base/elementary_angle.h"
 #include "base/grid.h"
-#include "measure/bed/detrended_row.h"
+#include "measure/bed/row_batch.h"
 #include "measure/bed/row_crests.h"
 
 namespace fumon {
@@ -19,28 +19,15 @@ std::size_t site_or_end(int x, int count, bool periodic) {
     return static_cast<std::size_t>(std::clamp(x, 0, count - 1));
 }
 
-void mean_along_x(const Grid& from, Grid& to, bool periodic, int radius) {
-    const int nx = from.nx();
-    const double scale = 1.0 / (2 * radius + 1);
-    const auto half = static_cast<std::size_t>(radius);
-    const std::size_t width = 2 * half + 1;
-    std::vector<double> padded(static_cast<std::size_t>(nx) + width);
-    for (int y = 0; y < from.ny(); ++y) {
-        const auto row = from.row(y);
-        std::copy(row.begin(), row.end(), padded.begin() + radius);
-        for (int beyond = 0; beyond <= radius; ++beyond) {
-            const auto distance = static_cast<std::size_t>(beyond);
-            if (beyond < radius) padded[distance] = row[site_or_end(beyond - radius, nx, periodic)];
-            padded[row.size() + half + distance] = row[site_or_end(nx + beyond, nx, periodic)];
-        }
-        double sum = 0.0;
-        for (std::size_t i = 0; i < width; ++i) sum += padded[i];
-        const double* in = padded.data() + width;
-        const double* out = padded.data();
-        for (double& mean : to.row(y)) {
-            mean = sum * scale;
-            sum += *in++ - *out++;
-        }
+/// The means of 2·radius + 1 sites along rows, twice.
+void means_along_x(const Grid& from, Grid& to, bool periodic, int radius) {
+    constexpr int rows = RowBatch::rows;
+    RowBatch batch(static_cast<std::size_t>(from.nx()));
+    for (int first = 0; first < from.ny(); first += rows) {
+        const int count = std::min(rows, from.ny() - first);
+        batch.take(from, first, count);
+        for (int pass = 0; pass < 2; ++pass) batch.smooth(periodic, radius);
+        batch.put(to, first, count);
     }
 }
 
@@ -73,16 +60,16 @@ void mean_along_y(const Grid& from, Grid& to, bool periodic, int radius) {
 Grid smoothed_bed(const Grid& bed, bool periodic, int radius) {
     const int along_x = std::clamp(radius, 0, (bed.nx() - 1) / 2);
     const int along_y = std::clamp(radius, 0, (bed.ny() - 1) / 2);
-    Grid result = bed;
+    Grid result(bed.nx(), bed.ny());
+    if (along_x > 0) {
+        means_along_x(bed, result, periodic, along_x);
+    } else {
+        result = bed;
+    }
+    if (along_y == 0) return result;
     Grid work(bed.nx(), bed.ny());
-    for (int pass = 0; pass < 2 && along_x > 0; ++pass) {
-        mean_along_x(result, work, periodic, along_x);
-        std::swap(result, work);
-    }
-    for (int pass = 0; pass < 2 && along_y > 0; ++pass) {
-        mean_along_y(result, work, periodic, along_y);
-        std::swap(result, work);
-    }
+    mean_along_y(result, work, periodic, along_y);
+    mean_along_y(work, result, periodic, along_y);
     return result;
 }
 
@@ -109,11 +96,20 @@ struct CrestGraph {
 };
 
 double deviation_of_rows(const Grid& bed, bool periodic) {
-    std::vector<double> departures(static_cast<std::size_t>(bed.nx()));
+    constexpr int rows = RowBatch::rows;
+    RowBatch batch(static_cast<std::size_t>(bed.nx()));
     double squares = 0.0;
-    for (int y = 0; y < bed.ny(); ++y) {
-        detrend_row(bed.row(y), periodic, departures);
-        for (const double height : departures) squares += height * height;
+    for (int first = 0; first < bed.ny(); first += rows) {
+        const int count = std::min(rows, bed.ny() - first);
+        batch.take(bed, first, count);
+        batch.detrend(periodic);
+        for (int row = 0; row < count; ++row) {
+            const double* departures = batch.values() + row;
+            for (std::size_t x = 0; x < batch.nx(); ++x) {
+                const double departure = departures[x * RowBatch::rows];
+                squares += departure * departure;
+            }
+        }
     }
     return std::sqrt(squares / static_cast<double>(bed.size()));
 }
@@ -124,32 +120,51 @@ double step_along_x(double a, double b, double period) {
     return period > 0.0 ? step - period * std::round(step / period) : step;
 }
 
-/// The crest of a row nearest to x; of two as near, the first in the row.
-int nearest_in_row(const CrestGraph& graph, std::size_t row, double x, double period) {
-    const auto begin = graph.x.begin() + graph.row_begin[row];
-    const auto end = graph.x.begin() + graph.row_begin[row + 1];
-    if (begin == end) return none;
-    const auto after = std::lower_bound(begin, end, x);
-    int nearest = none;
-    double distance = 0.0;
-    for (const auto candidate :
-         {begin, after == begin ? begin : after - 1, after == end ? end - 1 : after, end - 1}) {
-        const double here = std::abs(step_along_x(x, *candidate, period));
-        if (nearest != none && here >= distance) continue;
-        nearest = static_cast<int>(candidate - graph.x.begin());
-        distance = here;
+/// A row of crests, and the first of them that is not left of the place last asked for: the next
+/// place is near it.
+class CrestRow {
+  public:
+    CrestRow(const CrestGraph& graph, std::size_t row)
+        : x_(graph.x.data()), begin_(graph.row_begin[row]), end_(graph.row_begin[row + 1]) {
+        after_ = begin_;
     }
-    return nearest;
-}
+    [[nodiscard]] int begin() const { return begin_; }
+    [[nodiscard]] int end() const { return end_; }
+
+    /// The crest nearest to x; of two as near, the first in the row.
+    int nearest(double x, double period) {
+        if (begin_ == end_) return none;
+        while (after_ > begin_ && x_[after_ - 1] >= x) --after_;
+        while (after_ < end_ && x_[after_] < x) ++after_;
+        int found = none;
+        double distance = 0.0;
+        for (const int candidate :
+             {begin_, std::max(begin_, after_ - 1), std::min(after_, end_ - 1), end_ - 1}) {
+            const double here = std::abs(step_along_x(x, x_[candidate], period));
+            if (found != none && here >= distance) continue;
+            found = candidate;
+            distance = here;
+        }
+        return found;
+    }
+
+  private:
+    const double* x_;
+    int begin_;
+    int end_;
+    int after_;
+};
 
 void link_rows(CrestGraph& graph, std::size_t row, std::size_t next, double reach, double period) {
-    for (int crest = graph.row_begin[row]; crest < graph.row_begin[row + 1]; ++crest) {
+    CrestRow here(graph, row);
+    CrestRow there(graph, next);
+    for (int crest = here.begin(); crest < here.end(); ++crest) {
         const double x = graph.x[static_cast<std::size_t>(crest)];
-        const int other = nearest_in_row(graph, next, x, period);
+        const int other = there.nearest(x, period);
         if (other == none) return;
         const double other_x = graph.x[static_cast<std::size_t>(other)];
         if (std::abs(step_along_x(x, other_x, period)) > reach) continue;
-        if (nearest_in_row(graph, row, other_x, period) != crest) continue;
+        if (here.nearest(other_x, period) != crest) continue;
         graph.north[static_cast<std::size_t>(crest)] = other;
         graph.south[static_cast<std::size_t>(other)] = crest;
     }

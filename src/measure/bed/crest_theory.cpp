@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
-#include "measure/bed/crest_orientation.h"
 #include "wind/direction.h"
 #include "wind/run_drift.h"
 
@@ -28,9 +28,8 @@ double nearest_to(const std::vector<double>& directions, double line) {
 
 }  // namespace
 
-CrestTheory crest_theory(const Snapshot& snapshot, const CrestDirections& predicted) {
+CrestTheory crest_theory(const CrestOrientation& crests, const CrestDirections& predicted) {
     CrestTheory theory;
-    const CrestOrientation crests = crest_orientation(snapshot.bed, snapshot.periodic);
     if (std::isnan(crests.degrees)) return theory;
     theory.measured = std::fmod(half_turn - crests.degrees, half_turn);
     theory.gross_normal_transport = nearest_to(predicted.gross_normal_transport, theory.measured);

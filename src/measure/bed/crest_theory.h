@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "base/snapshot.h"
+#include "measure/bed/crest_orientation.h"
 #include "wind/crest_directions.h"
 
 namespace fumon {
@@ -19,6 +20,6 @@ struct CrestTheory {
 CrestDirections predicted_crests(const Snapshot& snapshot, double flux_ratio);
 
 /// Of predicted directions that are equally favoured the one nearest to the crests.
-CrestTheory crest_theory(const Snapshot& snapshot, const CrestDirections& predicted);
+CrestTheory crest_theory(const CrestOrientation& crests, const CrestDirections& predicted);
 
 }  // namespace fumon

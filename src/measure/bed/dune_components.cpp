@@ -1,6 +1,11 @@
 #include "measure/bed/dune_components.h"
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <utility>
+
+#include "measure/bed/periodic_wrap.h"
 
 namespace fumon {
 
@@ -80,20 +85,40 @@ struct Runs {
     std::vector<std::size_t> row_begin;
 };
 
+/// Adds the runs of the cells of a row, from `first` on, that are high. Cells are compared without
+/// branches, since noise has no pattern, and runs found where bits change.
+template <class IsHigh>
+void add_runs(std::span<const double> cells, int y, int first, const IsHigh& is_high,
+              std::vector<RowRun>& runs) {
+    constexpr std::size_t word = 64;
+    bool open = false;
+    for (std::size_t begin = 0; begin < cells.size(); begin += word) {
+        const std::size_t count = std::min(word, cells.size() - begin);
+        std::uint64_t high = 0;
+        for (std::size_t k = 0; k < count; ++k)
+            high |= static_cast<std::uint64_t>(is_high(cells[begin + k])) << k;
+        std::uint64_t changes = high ^ (high << 1U) ^ static_cast<std::uint64_t>(open);
+        if (count < word) changes &= (std::uint64_t{1} << count) - 1;
+        for (; changes != 0; changes &= changes - 1) {
+            const int x = first + static_cast<int>(begin) + std::countr_zero(changes);
+            if (open) {
+                runs.back().last = x - 1;
+            } else {
+                runs.push_back({y, x, 0});
+            }
+            open = !open;
+        }
+    }
+    if (open) runs.back().last = first + static_cast<int>(cells.size()) - 1;
+}
+
 Runs find_runs(const Grid& bed, double level) {
     Runs found;
+    found.row_begin.reserve(static_cast<std::size_t>(bed.ny()) + 1);
     for (int y = 0; y < bed.ny(); ++y) {
         found.row_begin.push_back(found.runs.size());
-        const auto row = bed.row(y);
-        int first = -1;
-        for (int x = 0; x <= bed.nx(); ++x) {
-            const bool high = x < bed.nx() && row[static_cast<std::size_t>(x)] > level;
-            if (high && first < 0) first = x;
-            if (!high && first >= 0) {
-                found.runs.push_back({y, first, x - 1});
-                first = -1;
-            }
-        }
+        add_runs(
+            bed.row(y), y, 0, [&](double cell) { return cell > level; }, found.runs);
     }
     found.row_begin.push_back(found.runs.size());
     return found;
@@ -137,18 +162,16 @@ void join_ends_of_row(const Runs& found, std::size_t y, int nx, UnwrappedSets& s
     }
 }
 
-}  // namespace
-
-DuneComponents dune_components(const Grid& bed, double level, bool periodic) {
-    const Runs found = find_runs(bed, level);
+/// The pieces of runs on a bed of nx × ny cells.
+DuneComponents pieces_of(const Runs& found, int nx, int ny, bool periodic) {
     UnwrappedSets sets(found.runs.size());
-    const auto rows = static_cast<std::size_t>(bed.ny());
+    const auto rows = static_cast<std::size_t>(ny);
     for (std::size_t y = 0; y < rows; ++y) {
-        if (periodic) join_ends_of_row(found, y, bed.nx(), sets);
+        if (periodic) join_ends_of_row(found, y, nx, sets);
         if (y + 1 < rows) {
-            join_rows(found, y, y + 1, 0, bed.nx(), periodic, sets);
+            join_rows(found, y, y + 1, 0, nx, periodic, sets);
         } else if (periodic) {
-            join_rows(found, y, 0, 1, bed.nx(), periodic, sets);
+            join_rows(found, y, 0, 1, nx, periodic, sets);
         }
     }
     DuneComponents result;
@@ -158,7 +181,7 @@ DuneComponents dune_components(const Grid& bed, double level, bool periodic) {
         const std::size_t root = sets.root(run).index;
         if (root == run) {
             piece_of[run] = result.pieces.size();
-            result.pieces.push_back({0, 0, 0, sets.wraps(root)});
+            result.pieces.push_back({0, 0, 0, sets.wraps(root), root});
         }
         piece_of[run] = piece_of[root];
         ++result.pieces[piece_of[run]].runs;
@@ -173,11 +196,57 @@ DuneComponents dune_components(const Grid& bed, double level, bool periodic) {
         DuneComponent& piece = result.pieces[piece_of[run]];
         const Period offset = sets.root(run).offset;
         const RowRun& cells = found.runs[run];
-        const int x_shift = offset.x * bed.nx();
-        result.runs[piece.first_run + piece.runs++] = {cells.y + offset.y * bed.ny(),
+        const int x_shift = offset.x * nx;
+        result.runs[piece.first_run + piece.runs++] = {cells.y + offset.y * ny,
                                                        cells.first + x_shift, cells.last + x_shift};
         piece.cells += cells.last - cells.first + 1;
     }
+    return result;
+}
+
+}  // namespace
+
+DuneComponents dune_components(const Grid& bed, double level, bool periodic) {
+    return pieces_of(find_runs(bed, level), bed.nx(), bed.ny(), periodic);
+}
+
+ComponentsWithin components_within(const Grid& bed, const DuneComponents& pieces,
+                                   std::span<const double> heights, double share, bool periodic) {
+    struct OwnedRun {
+        int first;
+        int last;
+        std::size_t piece;
+    };
+    std::vector<std::vector<OwnedRun>> rows(static_cast<std::size_t>(bed.ny()));
+    for (std::size_t piece = 0; piece < pieces.pieces.size(); ++piece) {
+        if (!(heights[piece] > 0.0)) continue;
+        for (const RowRun& run : pieces.runs_of(pieces.pieces[piece])) {
+            const int first = wrap_periodic(run.first, bed.nx());
+            rows[static_cast<std::size_t>(wrap_periodic(run.y, bed.ny()))].push_back(
+                {first, first + run.last - run.first, piece});
+        }
+    }
+    Runs found;
+    std::vector<std::size_t> piece_of_run;
+    for (int y = 0; y < bed.ny(); ++y) {
+        std::vector<OwnedRun>& row = rows[static_cast<std::size_t>(y)];
+        found.row_begin.push_back(found.runs.size());
+        std::ranges::sort(row, {}, &OwnedRun::first);
+        for (const OwnedRun& run : row) {
+            const auto cells =
+                bed.row(y).subspan(static_cast<std::size_t>(run.first),
+                                   static_cast<std::size_t>(run.last - run.first) + 1);
+            const double height = heights[run.piece];
+            add_runs(
+                cells, y, run.first, [&](double cell) { return cell / height > share; },
+                found.runs);
+            piece_of_run.resize(found.runs.size(), run.piece);
+        }
+    }
+    found.row_begin.push_back(found.runs.size());
+    ComponentsWithin result{pieces_of(found, bed.nx(), bed.ny(), periodic), {}};
+    for (const DuneComponent& component : result.components.pieces)
+        result.pieces.push_back(piece_of_run[component.root]);
     return result;
 }
 

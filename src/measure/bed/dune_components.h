@@ -26,6 +26,7 @@ struct DuneComponent {
     std::size_t runs = 0;
     std::int64_t cells = 0;
     bool wraps = false;  ///< hangs together with itself round the periodic bed: a band, not a dune
+    std::size_t root = 0;  ///< which of all runs of the bed, row after row, its first one is
 };
 
 /// The pieces of a bed, in the order of their southernmost (then westernmost) cells in the bed.
@@ -41,5 +42,16 @@ struct DuneComponents {
 /// The 8-connected pieces of the cells higher than `level`. The coordinates of a piece that wraps
 /// are not unique. Memory grows with the number of runs, not of cells.
 DuneComponents dune_components(const Grid& bed, double level, bool periodic);
+
+/// Pieces of pieces, and of which one each is.
+struct ComponentsWithin {
+    DuneComponents components;
+    std::vector<std::size_t> pieces;
+};
+
+/// The 8-connected pieces of what is higher than a share of the height of the piece of the bed that
+/// it lies in (one height a piece; 0: of that one nothing).
+ComponentsWithin components_within(const Grid& bed, const DuneComponents& pieces,
+                                   std::span<const double> heights, double share, bool periodic);
 
 }  // namespace fumon

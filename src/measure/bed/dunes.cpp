@@ -47,7 +47,16 @@ std::vector<DuneRow> rows_of(std::span<const RowRun> runs, const WindOnGrid& win
         if (index >= rows.size()) rows.resize(index + 1);
         return rows[index];
     };
+    const bool in_rows = wind.direction.is_east() && wind.cell_aspect == 1.0;
     for (const RowRun& run : runs) {
+        if (in_rows) {  // sums of whole numbers, which are exact in any order
+            const double cells = run.last - run.first + 1;
+            DuneRow& strip = row(static_cast<std::size_t>(run.y - rightmost));
+            strip.last = strip.cells == 0.0 ? run.last : std::max<double>(strip.last, run.last);
+            strip.cells += cells;
+            strip.along_sum += 0.5 * cells * (static_cast<double>(run.first) + run.last);
+            continue;
+        }
         for (int x = run.first; x <= run.last; ++x) {
             const WindCoordinates place = place_of(x, run.y);
             const double strip = std::floor(place.across - rightmost);
@@ -91,13 +100,13 @@ Dune measured(const Grid& bed, const DuneComponent& piece, std::span<const RowRu
     double x_sum = 0.0;
     double y_sum = 0.0;
     for (const RowRun& run : runs) {
-        const int y = wrap_periodic(run.y, bed.ny());
-        for (int x = run.first; x <= run.last; ++x) {
-            const double height = bed(wrap_periodic(x, bed.nx()), y);
-            dune.height = std::max(dune.height, height);
-            dune.volume += height;
-        }
         const int cells = run.last - run.first + 1;
+        const double* row =
+            bed.row(wrap_periodic(run.y, bed.ny())).data() + wrap_periodic(run.first, bed.nx());
+        for (int x = 0; x < cells; ++x) {
+            dune.height = std::max(dune.height, row[x]);
+            dune.volume += row[x];
+        }
         x_sum += 0.5 * cells * (static_cast<double>(run.first) + run.last);
         y_sum += static_cast<double>(cells) * run.y;
     }

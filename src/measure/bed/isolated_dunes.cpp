@@ -43,6 +43,13 @@ double width_of(std::span<const RowRun> runs, const WindOnGrid& wind) {
     return left - right + 1.0;
 }
 
+/// The cells of a run, which lies within a row of the bed but for whole periods.
+std::span<const double> cells_of(const Grid& bed, const RowRun& run) {
+    const auto first = static_cast<std::size_t>(wrap_periodic(run.first, bed.nx()));
+    return bed.row(wrap_periodic(run.y, bed.ny()))
+        .subspan(first, static_cast<std::size_t>(run.last - run.first) + 1);
+}
+
 double median(std::vector<double>& values) {
     if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
@@ -59,40 +66,35 @@ IsolatedDunes isolated_dunes(const Grid& sand, bool periodic, const WindOnGrid& 
     if (!(thickest > 0.0)) return found;
     const DuneComponents feet = dune_components(sand, foot_share * thickest, periodic);
     std::vector<Candidate> candidates;
-    Grid share(sand.nx(), sand.ny());  // of the piece's own height
-    Grid owner(sand.nx(), sand.ny(), -1.0);
-    for (const DuneComponent& piece : feet.pieces) {
+    std::vector<std::size_t> candidate_of(feet.pieces.size());
+    std::vector<double> heights(feet.pieces.size());
+    for (std::size_t k = 0; k < feet.pieces.size(); ++k) {
+        const DuneComponent& piece = feet.pieces[k];
         if (piece.wraps || piece.cells < least_cells) continue;
         const auto runs = feet.runs_of(piece);
         Candidate candidate;
-        const auto each_cell = [&](const auto& visit) {
-            for (const RowRun& run : runs) {
-                for (int x = run.first; x <= run.last; ++x)
-                    visit(wrap_periodic(x, sand.nx()), wrap_periodic(run.y, sand.ny()));
-            }
-        };
-        each_cell([&](int x, int y) { candidate.height = std::max(candidate.height, sand(x, y)); });
+        for (const RowRun& run : runs) {
+            const auto cells = cells_of(sand, run);
+            candidate.height =
+                std::max(candidate.height, *std::max_element(cells.begin(), cells.end()));
+        }
         if (candidate.height < least_height_share * thickest) continue;
         candidate.width = width_of(runs, wind);
-        each_cell([&](int x, int y) {
-            share(x, y) = sand(x, y) / candidate.height;
-            owner(x, y) = static_cast<double>(candidates.size());
-        });
+        heights[k] = candidate.height;
+        candidate_of[k] = candidates.size();
         candidates.push_back(candidate);
     }
-    const auto candidate_of = [&](const RowRun& run) -> Candidate& {
-        const double number =
-            owner(wrap_periodic(run.first, sand.nx()), wrap_periodic(run.y, sand.ny()));
-        return candidates[static_cast<std::size_t>(number)];
-    };
-    const DuneComponents tops = dune_components(share, top_share, periodic);
-    for (const DuneComponent& top : tops.pieces) {
-        if (top.cells >= least_top_cells) ++candidate_of(tops.runs_of(top).front()).tops;
+    const auto tops = components_within(sand, feet, heights, top_share, periodic);
+    for (std::size_t k = 0; k < tops.pieces.size(); ++k) {
+        if (tops.components.pieces[k].cells >= least_top_cells)
+            ++candidates[candidate_of[tops.pieces[k]]].tops;
     }
-    const DuneComponents outlines = dune_components(share, outline_share, periodic);
-    for (const DuneComponent& outline : outlines.pieces) {
+    const auto within = components_within(sand, feet, heights, outline_share, periodic);
+    const DuneComponents& outlines = within.components;
+    for (std::size_t k = 0; k < within.pieces.size(); ++k) {
+        const DuneComponent& outline = outlines.pieces[k];
         if (outline.cells < least_cells) continue;
-        Candidate& candidate = candidate_of(outlines.runs_of(outline).front());
+        Candidate& candidate = candidates[candidate_of[within.pieces[k]]];
         ++candidate.outlines;
         candidate.horn_lag = horn_lag(outlines.runs_of(outline), wind);
     }

@@ -5,10 +5,11 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "measure/bed/detrended_row.h"
+#include "measure/bed/row_batch.h"
 #include "numerics/fourier_transform.h"
 
 namespace fumon {
@@ -31,40 +32,37 @@ std::vector<double> hann_window(std::size_t length) {
 class RowSpectra {
   public:
     static constexpr std::size_t rows = FourierTransform::rows;
-    static_assert(rows <= most_row_means);
+    static_assert(rows == RowBatch::rows);
 
     RowSpectra(std::size_t nx, std::size_t length)
         : transform_(length),
           scratch_(transform_.scratch()),
-          departures_(nx),
-          values_(length * rows),
+          padded_(length > nx ? length * rows : 0),
           real_((length / 2 + 1) * rows),
           imaginary_(real_.size()) {}
 
-    void clear() { std::fill(values_.begin(), values_.end(), 0.0); }
-    /// Makes `count` rows of a bed, from `first` on, those of the batch from `place` on.
-    void set(std::size_t place, const Grid& bed, int first, int count, bool periodic,
-             std::span<const double> window = {}) {
-        const auto means = row_means(bed, first, count);
-        for (int row = 0; row < count; ++row, ++place) {
-            detrend_row(bed.row(first + row), means[static_cast<std::size_t>(row)], periodic,
-                        departures_);
-            for (std::size_t x = 0; x < window.size(); ++x) departures_[x] *= window[x];
-            for (std::size_t x = 0; x < departures_.size(); ++x)
-                values_[x * rows + place] = departures_[x];
+    /// Of a batch of detrended rows, times a window where there is one.
+    void transform(const RowBatch& batch, std::span<const double> window = {}) {
+        const double* values = batch.values();
+        if (!window.empty() || !padded_.empty()) {
+            padded_.resize(std::max(padded_.size(), batch.nx() * rows));
+            for (std::size_t x = 0; x < batch.nx(); ++x) {
+                const double factor = window.empty() ? 1.0 : window[x];
+                for (std::size_t row = 0; row < rows; ++row)
+                    padded_[x * rows + row] = values[x * rows + row] * factor;
+            }
+            values = padded_.data();
         }
+        transform_.forward(values, rows, real_.data(), imaginary_.data(), rows, scratch_);
     }
-    /// Σ f² of each row's departures.
-    [[nodiscard]] std::array<double, rows> squares() const {
-        std::array<double, rows> sums{};
-        for (std::size_t x = 0; x < departures_.size(); ++x) {
-            const double* at = values_.data() + x * rows;
-            for (std::size_t row = 0; row < rows; ++row) sums[row] += at[row] * at[row];
+    /// Adds the power of each mode, row by row.
+    void add_power(std::vector<double>& power) const {
+        for (std::size_t k = 0; k < power.size(); ++k) {
+            const double* re = real(k);
+            const double* im = imaginary(k);
+            for (std::size_t row = 0; row < rows; ++row)
+                power[k] += re[row] * re[row] + im[row] * im[row];
         }
-        return sums;
-    }
-    void transform() {
-        transform_.forward(values_.data(), rows, real_.data(), imaginary_.data(), rows, scratch_);
     }
     /// Of mode k, the batch's rows side by side.
     [[nodiscard]] const double* real(std::size_t k) const { return &real_[k * rows]; }
@@ -73,29 +71,13 @@ class RowSpectra {
   private:
     FourierTransform transform_;
     FourierTransform::Scratch scratch_;
-    std::vector<double> departures_;
-    std::vector<double> values_;
+    std::vector<double> padded_;
     std::vector<double> real_;
     std::vector<double> imaginary_;
 };
 
-std::vector<double> power_of_rows(const Grid& bed, bool periodic, std::size_t length,
-                                  std::span<const double> window) {
-    std::vector<double> power(length / 2 + 1);
-    RowSpectra spectra(static_cast<std::size_t>(bed.nx()), length);
-    for (int first = 0; first < bed.ny(); first += static_cast<int>(RowSpectra::rows)) {
-        spectra.clear();
-        spectra.set(0, bed, first, std::min(static_cast<int>(RowSpectra::rows), bed.ny() - first),
-                    periodic, window);
-        spectra.transform();
-        for (std::size_t k = 0; k < power.size(); ++k) {
-            const double* re = spectra.real(k);
-            const double* im = spectra.imaginary(k);
-            for (std::size_t row = 0; row < RowSpectra::rows; ++row)
-                power[k] += re[row] * re[row] + im[row] * im[row];
-        }
-    }
-    return power;
+int rows_from(const Grid& bed, int first) {
+    return std::min(static_cast<int>(RowBatch::rows), bed.ny() - first);
 }
 
 /// Σ_k S(k) exp(2πi·ks/n) / n at s = 0 … n − 1 of the half k = 0 … n/2 of a spectrum whose sum is
@@ -122,18 +104,40 @@ std::vector<double> back_to_shifts(std::span<const double> real, std::span<const
 
 }  // namespace
 
-std::vector<double> power_along_x(const Grid& bed, bool periodic) {
+RowPower power_of_rows(const Grid& bed, bool periodic) {
     if (bed.empty()) return {};
     const auto nx = static_cast<std::size_t>(bed.nx());
+    const std::size_t padded = periodic ? nx : std::bit_ceil(nx + nx / 2 + 1);
     const std::vector<double> window = periodic ? std::vector<double>() : hann_window(nx);
-    return power_of_rows(bed, periodic, nx, window);
+    RowPower power;
+    power.windowed.resize(nx / 2 + 1);
+    RowBatch batch(nx);
+    RowSpectra spectra(nx, nx);
+    std::optional<RowSpectra> of_padded;
+    if (!periodic) {
+        of_padded.emplace(nx, padded);
+        power.padded.resize(padded / 2 + 1);
+    }
+    for (int first = 0; first < bed.ny(); first += static_cast<int>(RowBatch::rows)) {
+        batch.take(bed, first, rows_from(bed, first));
+        batch.detrend(periodic);
+        spectra.transform(batch, window);
+        spectra.add_power(power.windowed);
+        if (!of_padded) continue;
+        of_padded->transform(batch);
+        of_padded->add_power(power.padded);
+    }
+    return power;
 }
 
-std::vector<double> autocorrelation_along_x(const Grid& bed, bool periodic) {
-    if (bed.empty()) return {};
-    const auto nx = static_cast<std::size_t>(bed.nx());
+std::vector<double> power_along_x(const Grid& bed, bool periodic) {
+    return power_of_rows(bed, periodic).windowed;
+}
+
+std::vector<double> autocorrelation(const RowPower& of_rows, std::size_t nx, bool periodic) {
+    const std::vector<double>& power = periodic ? of_rows.windowed : of_rows.padded;
+    if (power.empty()) return {};
     const std::size_t length = periodic ? nx : std::bit_ceil(nx + nx / 2 + 1);
-    const std::vector<double> power = power_of_rows(bed, periodic, length, {});
     std::vector<double> result = back_to_shifts(power, std::vector<double>(power.size()), length);
     if (!(result[0] > 0.0)) return {};
     if (!periodic) result.resize(nx / 2 + 1);
@@ -145,29 +149,34 @@ std::vector<double> autocorrelation_along_x(const Grid& bed, bool periodic) {
     return result;
 }
 
+std::vector<double> autocorrelation_along_x(const Grid& bed, bool periodic) {
+    return autocorrelation(power_of_rows(bed, periodic), static_cast<std::size_t>(bed.nx()),
+                           periodic);
+}
+
 std::vector<double> cross_correlation_along_x(const Grid& earlier, const Grid& later) {
     if (earlier.nx() != later.nx() || earlier.ny() != later.ny()) {
         throw Error("two beds are compared whose sizes differ");
     }
     if (earlier.empty()) return {};
     const auto nx = static_cast<std::size_t>(earlier.nx());
+    RowBatch batch(nx);
     RowSpectra spectra(nx, nx);
-    constexpr std::size_t pairs = RowSpectra::rows / 2;  // the later rows come after the earlier
+    constexpr std::size_t pairs = RowBatch::rows / 2;  // the later rows come after the earlier
     std::vector<double> products_real(nx / 2 + 1);
     std::vector<double> products_imaginary(nx / 2 + 1);
     double earlier_squares = 0.0;
     double later_squares = 0.0;
     for (int first = 0; first < earlier.ny(); first += static_cast<int>(pairs)) {
-        spectra.clear();
         const int count = std::min(static_cast<int>(pairs), earlier.ny() - first);
-        spectra.set(0, earlier, first, count, true);
-        spectra.set(pairs, later, first, count, true);
-        const auto squares = spectra.squares();
+        batch.take(earlier, first, count, 0, pairs);
+        batch.take(later, first, count, pairs);
+        batch.detrend(true);
         for (std::size_t row = 0; row < static_cast<std::size_t>(count); ++row) {
-            earlier_squares += squares[row];
-            later_squares += squares[pairs + row];
+            earlier_squares += batch.squares()[row];
+            later_squares += batch.squares()[pairs + row];
         }
-        spectra.transform();
+        spectra.transform(batch);
         for (std::size_t k = 0; k < products_real.size(); ++k) {
             const double* re = spectra.real(k);
             const double* im = spectra.imaginary(k);

@@ -1,12 +1,24 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "base/grid.h"
 
 namespace fumon {
 
-/// The power |F(k)|² of the bed's departures along x (see detrend_row) in wave numbers
+/// The power of a bed's rows, summed over them.
+struct RowPower {
+    std::vector<double> windowed;  ///< see power_along_x()
+    /// Not periodic: without a window, of rows that zeros follow, for the autocorrelation; else
+    /// empty, since that is the same.
+    std::vector<double> padded;
+};
+
+/// Both powers in one pass over the bed.
+RowPower power_of_rows(const Grid& bed, bool periodic);
+
+/// The power |F(k)|² of the bed's departures along x (see RowBatch::detrend) in wave numbers
 /// k = 0 … nx/2 (cycles per row), summed over the rows. The rows of a bed that is not periodic are
 /// brought to zero at their ends by a Hann window first, which widens a peak to three bins. Empty
 /// for an empty bed.
@@ -17,6 +29,9 @@ std::vector<double> power_along_x(const Grid& bed, bool periodic);
 /// covariance of each being the mean over the sites that overlap. Empty for a bed without relief
 /// along x.
 std::vector<double> autocorrelation_along_x(const Grid& bed, bool periodic);
+
+/// The same from the powers of the rows of nx sites.
+std::vector<double> autocorrelation(const RowPower& of_rows, std::size_t nx, bool periodic);
 
 /// The circular correlation of `later` shifted back by 0, 1, 2 … nx − 1 sites along x with
 /// `earlier`, rows summed, between −1 and 1: where it is high at shift s, the pattern has moved s

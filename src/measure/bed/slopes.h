@@ -16,9 +16,6 @@ struct BedSlopes {
     /// stoss / lee: above 1 the side that faces the wind is the steeper and shorter one, below 1 it
     /// is the lee side, as on real dunes and ripples.
     double stoss_to_lee = std::numeric_limits<double>::quiet_NaN();
-    /// Third central moment of all slopes over the 3/2 power of the second: positive where few
-    /// steep rises stand against many gentle falls. It weighs the steepest faces most.
-    double skewness = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// From the forward differences h(x + 1) − h(x) of every row; in a periodic bed, those round the

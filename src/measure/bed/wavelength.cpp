@@ -2,13 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <vector>
 
-#include "measure/bed/detrended_row.h"
-#include "measure/bed/row_spectrum.h"
-#include "measure/bed/row_waves.h"
 #include "measure/shared/undefined.h"
 #include "numerics/peak_offset.h"
 
@@ -21,9 +16,9 @@ constexpr int least_columns = 4;
 
 }  // namespace
 
-double wavelength_spectrum(const Grid& bed, bool periodic) {
-    if (bed.nx() < least_columns || bed.empty()) return undefined;
-    const std::vector<double> power = power_along_x(bed, periodic);
+double wavelength_of_spectrum(const RowPower& of_rows, int nx) {
+    const std::vector<double>& power = of_rows.windowed;
+    if (nx < least_columns || power.empty()) return undefined;
     const auto peak =
         static_cast<int>(std::max_element(power.begin() + 1, power.end()) - power.begin());
     const int first = std::max(1, peak - bins_beside_peak);
@@ -34,12 +29,13 @@ double wavelength_spectrum(const Grid& bed, bool periodic) {
         total += power[static_cast<std::size_t>(k)];
         weighted += k * power[static_cast<std::size_t>(k)];
     }
-    return weighted > 0.0 ? bed.nx() * total / weighted : undefined;
+    return weighted > 0.0 ? nx * total / weighted : undefined;
 }
 
-double wavelength_autocorrelation(const Grid& bed, bool periodic) {
-    if (bed.nx() < least_columns || bed.empty()) return undefined;
-    std::vector<double> correlation = autocorrelation_along_x(bed, periodic);
+double wavelength_of_autocorrelation(const RowPower& of_rows, int nx, bool periodic) {
+    if (nx < least_columns) return undefined;
+    std::vector<double> correlation =
+        autocorrelation(of_rows, static_cast<std::size_t>(nx), periodic);
     if (correlation.empty()) return undefined;
     if (periodic) {
         const double first = correlation[0];
@@ -59,24 +55,21 @@ double wavelength_autocorrelation(const Grid& bed, bool periodic) {
            peak_offset(*(peak - 1), *peak, *(peak + 1));
 }
 
+double wavelength_of_crossings(const BedWaves& waves, int nx) {
+    if (nx < least_columns || waves.count == 0) return undefined;
+    return static_cast<double>(waves.length) / static_cast<double>(waves.count);
+}
+
+double wavelength_spectrum(const Grid& bed, bool periodic) {
+    return wavelength_of_spectrum(power_of_rows(bed, periodic), bed.nx());
+}
+
+double wavelength_autocorrelation(const Grid& bed, bool periodic) {
+    return wavelength_of_autocorrelation(power_of_rows(bed, periodic), bed.nx(), periodic);
+}
+
 double wavelength_crossings(const Grid& bed, bool periodic) {
-    if (bed.nx() < least_columns || bed.empty()) return undefined;
-    std::vector<double> departures(static_cast<std::size_t>(bed.nx()));
-    std::vector<int> sites;
-    std::int64_t length = 0;
-    std::int64_t waves = 0;
-    for (int y = 0; y < bed.ny(); ++y) {
-        detrend_row(bed.row(y), periodic, departures);
-        find_upward_crossings(departures, periodic, sites);
-        if (periodic) {
-            length += bed.nx();
-            waves += static_cast<std::int64_t>(sites.size());
-        } else if (sites.size() > 1) {
-            length += sites.back() - sites.front();
-            waves += static_cast<std::int64_t>(sites.size()) - 1;
-        }
-    }
-    return waves > 0 ? static_cast<double>(length) / static_cast<double>(waves) : undefined;
+    return wavelength_of_crossings(bed_waves(bed, periodic), bed.nx());
 }
 
 }  // namespace fumon

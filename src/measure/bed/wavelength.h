@@ -1,6 +1,8 @@
 #pragma once
 
 #include "base/grid.h"
+#include "measure/bed/bed_waves.h"
+#include "measure/bed/row_spectrum.h"
 
 namespace fumon {
 
@@ -24,11 +26,16 @@ double wavelength_spectrum(const Grid& bed, bool periodic);
 double wavelength_autocorrelation(const Grid& bed, bool periodic);
 
 /// Sites for each upward crossing with hysteresis at the mean ± half a standard deviation of the
-/// row (find_upward_crossings): periodic, the number of sites over the number of crossings; else
+/// row (find_waves): periodic, the number of sites over the number of crossings; else
 /// the distance from the first to the last crossing over the waves between, rows summed. The
 /// default for profiles. Waves lower than about half a standard deviation on either
 /// side of the mean are passed over. Exceeds nx where many rows cross no dune. NaN without a
 /// crossing (not periodic: without two in one row).
 double wavelength_crossings(const Grid& bed, bool periodic);
+
+// The same from what others share of a bed of nx columns.
+double wavelength_of_spectrum(const RowPower& of_rows, int nx);
+double wavelength_of_autocorrelation(const RowPower& of_rows, int nx, bool periodic);
+double wavelength_of_crossings(const BedWaves& waves, int nx);
 
 }  // namespace fumon

@@ -87,16 +87,20 @@ Snapshot Dunes::snapshot() const {
     snapshot.periodic = ground_.periodic_x && ground_.periodic_y;
     snapshot.winds = schedule_.drifts(parameters_.flux);
     Grid sand = snapshot.bed;
-    const Grid rock = in_metres(bed_.rock);
+    Grid rock = in_metres(bed_.rock);
     std::ranges::transform(sand.values(), rock.values(), sand.values().begin(), std::minus<>());
     Grid local = local_wind();
-    snapshot.fields = {
-        {"sand", "thickness of the sand at rest", "m", std::move(sand)},
-        {"rock", "height of the hard floor", "m", rock},
-        {"moving_sand", "sand in the air, as a thickness", "m", in_metres(bed_.moving)},
-        {"wind_shadow", "how far ground upwind keeps the wind off, 0 to 1", "1", shadow_.shade()},
-        {"local_wind", "drift that the wind lifts there, in parts of that over flat ground", "1",
-         std::move(local)}};
+    constexpr std::size_t most_fields = 10;
+    snapshot.fields.reserve(most_fields);
+    const auto add = [&](const char* name, const char* long_name, const char* unit, Grid values) {
+        snapshot.fields.push_back({name, long_name, unit, std::move(values)});
+    };
+    add("sand", "thickness of the sand at rest", "m", std::move(sand));
+    add("rock", "height of the hard floor", "m", std::move(rock));
+    add("moving_sand", "sand in the air, as a thickness", "m", in_metres(bed_.moving));
+    add("wind_shadow", "how far ground upwind keeps the wind off, 0 to 1", "1", shadow_.shade());
+    add("local_wind", "drift that the wind lifts there, in parts of that over flat ground", "1",
+        std::move(local));
     if (!bent_.x.empty()) {
         snapshot.fields.push_back({"wind_turn",
                                    "by how much relief turns the wind, counterclockwise", "degrees",

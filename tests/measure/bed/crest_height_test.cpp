@@ -19,6 +19,20 @@ TEST(TopOnePercent, IsTheMeanOfTheHighestCells) {
     EXPECT_DOUBLE_EQ(top_one_percent_mean(bed), 1044.0);
 }
 
+TEST(TopOnePercent, OfManyCellsIsThatOfAllSorted) {
+    for (const bool misled : {false, true}) {  // by a sample of raised cells alone
+        Grid bed = test::noise(427, 300, 3);
+        for (std::size_t cell = 0; misled && cell < bed.size(); cell += 61)
+            bed.values()[cell] += 5.0;
+        std::vector<double> heights(bed.values().begin(), bed.values().end());
+        std::sort(heights.begin(), heights.end());
+        const std::size_t count = (heights.size() + 99) / 100;
+        double sum = 0.0;
+        for (std::size_t i = heights.size() - count; i < heights.size(); ++i) sum += heights[i];
+        EXPECT_EQ(top_one_percent_mean(bed), sum / static_cast<double>(count)) << misled;
+    }
+}
+
 TEST(TopOnePercent, OfAThousandCellsAreTen) {
     const Grid bed = test::bed_of(100, 10, [](int x, int y) { return (7 * (100 * y + x)) % 1000; });
     EXPECT_DOUBLE_EQ(top_one_percent_mean(bed), 994.5);

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "measure/bed/detrended_row.h"
-#include "measure/bed/row_waves.h"
 #include "support/measured_beds.h"
 
 namespace fumon {
@@ -92,45 +90,6 @@ TEST(WavelengthCrossings, DoNotDependOnWhereTheRowBegins) {
     for (int sites = 1; sites < 97; ++sites) {
         EXPECT_DOUBLE_EQ(wavelength_crossings(test::moved(bed, sites), true), expected) << sites;
     }
-}
-
-TEST(UpwardCrossings, AreTheFirstSitesAboveAfterOneBelow) {
-    const std::vector<double> row = {2, -1, 0.5, -1, 2, 0, 2, -2, -1, -1.5};  // threshold 0.72
-    std::vector<int> sites;
-    find_upward_crossings(row, true, sites);
-    EXPECT_EQ(sites, (std::vector<int>{0, 4}));  // 0: the row ends below
-    find_upward_crossings(row, false, sites);
-    EXPECT_EQ(sites, (std::vector<int>{4}));
-}
-
-TEST(RowDepartures, MeansOfRowsSideBySideAreThoseOfEachByItself) {
-    Grid bed(101, 13);
-    unsigned noise = 1;
-    for (double& height : bed.values()) {
-        noise = noise * 1664525U + 1013904223U;
-        height = 1e-3 * static_cast<double>(noise >> 8U);
-    }
-    for (const int count : {1, 5, 8}) {
-        const auto means = row_means(bed, 3, count);
-        for (int row = 0; row < count; ++row) {
-            double sum = 0.0;
-            for (const double height : bed.row(3 + row)) sum += height;
-            EXPECT_EQ(means[static_cast<std::size_t>(row)], sum / 101.0) << count << ' ' << row;
-        }
-    }
-}
-
-TEST(RowDepartures, AreZeroWhereOnlyRoundingIsLeft) {
-    const std::vector<double> row(7, 0.1);
-    std::vector<double> departures(7, 9.0);
-    detrend_row(row, true, departures);
-    EXPECT_EQ(departures, std::vector<double>(7, 0.0));
-    std::vector<double> slope(7);
-    for (std::size_t x = 0; x < 7; ++x) slope[x] = 0.3 * static_cast<double>(x) - 4.0;
-    detrend_row(slope, false, departures);
-    EXPECT_EQ(departures, std::vector<double>(7, 0.0));
-    detrend_row(slope, true, departures);
-    EXPECT_NEAR(departures[0], -0.9, 1e-15);
 }
 
 }  // namespace
