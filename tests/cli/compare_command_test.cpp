@@ -137,7 +137,7 @@ TEST_F(Pictures, BoxesAndMasksAreLeftOut) {
         return ended.errors;
     };
     EXPECT_EQ(refused({"--ignore", "0,0,101,21"}),
-              "31.3 % of the picture would be ignored, more than 30 %; leave out less\n");
+              "31.3 % of the picture would be ignored, more than 30 %; ignore less\n");
     EXPECT_TRUE(refused({"--ignore", "0,0,3"})
                     .starts_with("fumon compare: --ignore: \"0,0,3\" is no box; "));
     EXPECT_TRUE(

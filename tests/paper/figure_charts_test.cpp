@@ -257,7 +257,7 @@ TEST_F(FigureChartsTest, ADifferenceNamesBothBedsAndPartsAtZero) {
         "[figure]\n[[figure.panel]]\nkind = \"difference\"\nminus_set = [\"grid.nx=20\"]\n");
     EXPECT_NE(figure("bad.toml").errors.find("the two beds differ in size"), std::string::npos);
     write_scene("bad.toml", "[figure]\n[[figure.panel]]\nkind = \"difference\"\n");
-    EXPECT_NE(figure("bad.toml").errors.find("say what is taken away"), std::string::npos);
+    EXPECT_NE(figure("bad.toml").errors.find("name what is subtracted"), std::string::npos);
 }
 
 TEST_F(FigureChartsTest, SeveralMapsShareOneRangeAndOneBar) {

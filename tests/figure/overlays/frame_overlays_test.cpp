@@ -338,8 +338,9 @@ TEST(FrameOverlays, NameWhatDoesNotFit) {
                     .starts_with("overlay.0.high: "));
     EXPECT_TRUE(refused(overlay("time", "upper-left", "text = \"{tome}\""))
                     .starts_with("overlay.0.text: {tome} stands for nothing"));
-    EXPECT_TRUE(refused(overlay("title", "upper-left") + overlay("plot", "upper-left"), "", 64, 48)
-                    .starts_with("overlay.0.kind: overlay.0 has no room in a picture of 64 x 48"));
+    EXPECT_TRUE(
+        refused(overlay("title", "upper-left") + overlay("plot", "upper-left"), "", 64, 48)
+            .starts_with("overlay.0.kind: overlay.0 does not fit into a picture of 64 x 48"));
     EXPECT_TRUE(refused(overlay("title", "upper-left", "font_size = 200"))
                     .starts_with("overlay.0.font_size: overlay.0 has no room"));
     EXPECT_TRUE(
