@@ -285,7 +285,7 @@ TEST_F(FigureChartsTest, WrongChartsAreOneLocatedLine) {
     const std::vector<Case> cases{
         {"kind = \"heat-map\"\n", "x = \"x\"\ny = \"y\"\n", ".z: is missing; name the column"},
         {"", xyz, ".z: is the column of colours in heat-map and scatter panels"},
-        {"kind = \"heat-map\"\nlevels = [2.0, 1.0]\n", xyz, ".levels: stand in rising order"},
+        {"kind = \"heat-map\"\nlevels = [2.0, 1.0]\n", xyz, ".levels: must rise"},
         {"kind = \"heat-map\"\nlevels = [1.0]\nclasses = [\"a\"]\n", xyz,
          ".classes: there are 1 between 1 levels; give 2"},
         {"kind = \"scatter\"\nbins = 3\n", xyz, ".bins: belongs to histogram panels"},

@@ -116,9 +116,9 @@ TEST_F(FigureRefusalsTest, WhatIsWrongIsOneLocatedLine) {
         {plot + "palette = \"grey\"\n" + curve.substr(plot.size()), "a plot panel would not show"},
         {map + "steps = [21]\n", "step 21 is after the run's end at 20"},
         {map + "field = \"water_depth\"\n", "the model sand has no field \"water_depth\""},
-        {map + "title = \"{stepp}\"\n", "{stepp} stands for nothing here"},
+        {map + "title = \"{stepp}\"\n", "{stepp} is not a placeholder here"},
         {map + "title = \"{step\"\n", "has an unmatched brace"},
-        {map + "title = \"{time:weeks}\"\n", "{time:weeks} stands for nothing here"},
+        {map + "title = \"{time:weeks}\"\n", "{time:weeks} is not a placeholder here"},
         {map + "x_label = \"along ({units})\"\n",
          "bad.toml:17:11: figure.panel.0.x_label: {units} is not a placeholder here; {unit} stands "
          "for the unit"},
@@ -138,7 +138,7 @@ TEST_F(FigureRefusalsTest, WhatIsWrongIsOneLocatedLine) {
         {curve + "table = \"avalanches\"\n", "needs a model with avalanches (sandpile), not sand"},
         {curve + "table = \"file\"\n", ".file: is missing"},
         {curve + "table = \"file\"\nfile = \"none.csv\"\n", "none.csv"},
-        {curve + "name = \"{colour}\"\n", "{colour} stands for nothing here"},
+        {curve + "name = \"{colour}\"\n", "{colour} is not a placeholder here"},
         {curve + "spread = \"dev\"\n",
          "curve.0.spread is \"dev\"; it takes one of \"none\", \"deviation\", "
          "\"standard-error\"\n"},

@@ -134,7 +134,7 @@ TEST_F(VerifyIgnored, WrongOnesAreRefusedInALine) {
         contains(said("[\"tme\"]"), "unknown kind of overlay \"tme\"; did you mean \"time\"?"))
         << said("[\"tme\"]");
     EXPECT_TRUE(contains(said("[\"coordinates\"]"), "coordinates cover the whole picture"));
-    EXPECT_TRUE(contains(said("[\"title\"]"), "no overlay \"title\" stands on its picture"));
+    EXPECT_TRUE(contains(said("[\"title\"]"), "its picture has no overlay \"title\""));
     EXPECT_TRUE(contains(said("7"), "cases.map.ignore is a list of boxes"));
     EXPECT_TRUE(contains(said("[7]"), "cases.map.ignore takes boxes"));
     EXPECT_TRUE(contains(said("[[128, 0, 1, 1]]"), "lies outside of the picture of 128 x 80"));
