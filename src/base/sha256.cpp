@@ -9,8 +9,7 @@ namespace fumon {
 namespace {
 
 void check(bool worked) {
-    if (!worked)
-        throw Error("the SHA-256 of OpenSSL's libcrypto does not work here; is memory at its end?");
+    if (!worked) throw Error("OpenSSL's libcrypto cannot compute SHA-256; memory may be exhausted");
 }
 
 }  // namespace

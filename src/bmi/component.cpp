@@ -30,7 +30,7 @@ std::vector<std::string> names_of(const std::vector<Variable>& variables, bool V
 
 CoupledModel& BmiComponent::model() {
     if (!model_)
-        throw InputError("the component is not initialised; call initialize with a scene's file");
+        throw InputError("the component is not initialised; call initialize with a scene file");
     return *model_;
 }
 
@@ -60,7 +60,7 @@ void BmiComponent::UpdateUntil(double time) {
     const double now = model().model().time();
     if (time < now) {
         throw InputError(fmt::format(
-            "update_until {}: the model is at {} already and does not go back", time, now));
+            "update_until {}: the model is already at {} and cannot go back", time, now));
     }
     double step = model().time_step();
     if (!(step > 0.0)) throw InputError("the model has no time; use update");
@@ -164,8 +164,8 @@ void BmiComponent::GetValueAtIndices(std::string name, void* dest, int* inds, in
     const std::vector<double> values = model().values(variable(name));
     for (int i = 0; i < count; ++i) {
         if (inds[i] < 0 || inds[i] >= static_cast<int>(values.size()))
-            throw InputError(
-                fmt::format("{} has {} values, none {}", name, values.size(), inds[i]));
+            throw InputError(fmt::format("{} has {} values; index {} is out of range", name,
+                                         values.size(), inds[i]));
         static_cast<double*>(dest)[i] = values[static_cast<std::size_t>(inds[i])];
     }
 }
@@ -180,8 +180,8 @@ void BmiComponent::SetValueAtIndices(std::string name, int* inds, int count, voi
     std::vector<double> values = model().values(variable(name));
     for (int i = 0; i < count; ++i) {
         if (inds[i] < 0 || inds[i] >= static_cast<int>(values.size()))
-            throw InputError(
-                fmt::format("{} has {} values, none {}", name, values.size(), inds[i]));
+            throw InputError(fmt::format("{} has {} values; index {} is out of range", name,
+                                         values.size(), inds[i]));
         values[static_cast<std::size_t>(inds[i])] = static_cast<const double*>(src)[i];
     }
     model().set(variable(name), values);

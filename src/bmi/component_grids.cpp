@@ -12,7 +12,7 @@ bool BmiComponent::is_raster(int grid) {
     if (grid == 0) return true;
     if (grid == 1) return false;
     throw InputError(
-        fmt::format("there is no grid {}; 0 is that of the cells, 1 the scalar", grid));
+        fmt::format("there is no grid {}; grid 0 holds the cells, grid 1 is the scalar", grid));
 }
 
 void BmiComponent::need_raster(int grid, const char* what) {

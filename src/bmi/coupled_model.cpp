@@ -86,7 +86,7 @@ std::vector<double> CoupledModel::values(const Variable& variable) const {
 void CoupledModel::set(const Variable& variable, const std::vector<double>& values) {
     if (!variable.input)
         throw InputError(
-            fmt::format("{} is what the model computes; it cannot be set", variable.name));
+            fmt::format("{} is an output of the model and cannot be set", variable.name));
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values[i]))
             throw InputError(fmt::format("{}: value {} is not finite", variable.name, i));

@@ -64,13 +64,13 @@ class Restorer : public StateArchive {
         const SavedState::Entry* entry = at_ < entries_.size() ? &entries_[at_++] : nullptr;
         const Held* held = entry == nullptr ? nullptr : std::get_if<Held>(&entry->values);
         if (held == nullptr || entry->name != name)
-            refuse(fmt::format("it has no {} at its place", name));
+            refuse(fmt::format("it has no {} at this position", name));
         return *held;
     }
     template <class Number>
     void fill(std::string_view name, std::span<Number> values) {
         const auto& held = next<std::vector<Number>>(name);
-        if (held.size() != values.size()) refuse(fmt::format("its {} has another size", name));
+        if (held.size() != values.size()) refuse(fmt::format("its {} has a different size", name));
         std::ranges::copy(held, values.begin());
     }
 

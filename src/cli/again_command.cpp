@@ -187,7 +187,7 @@ std::string differences(const PictureOrigin& origin, const PictureOrigin& made) 
         const std::string reason = why_pixels_may_differ(*origin.environment, *made.environment);
         if (!reason.empty()) text += "; " + reason;
     }
-    return text.empty() ? "; nothing that the movie tells of its making differs" : text;
+    return text.empty() ? "; the parameters recorded in the movie are the same" : text;
 }
 
 void compare_movies(const std::string& file, const Sha256& before, const AgainOptions& options,

@@ -87,7 +87,8 @@ Fine checked(const std::string& file, const std::vector<std::string>& settings, 
     const Scene& scene = prepared.scene;
     const bool has_figure = !scene.figure.panels.empty();
     if (has_figure && given)
-        throw InputError("-: is a figure's scene; name its file, beside which its runs are kept");
+        throw InputError(
+            "-: is a figure's scene; name its file, since its runs are stored beside it");
     if (has_figure) {
         FigureSources sources;
         plan_figure(file, settings, sources, runs, nullptr);

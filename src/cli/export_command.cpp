@@ -210,7 +210,7 @@ std::filesystem::path moment_file(const std::string& output, std::size_t number,
 void write_series(const ExportOptions& options, const std::string& input, OutputClaims& claims) {
     if (!is_netcdf(start_of_input_file(input, netcdf_signature_length))) {
         throw InputError(fmt::format(
-            "{}: has one moment, and a .pvd is a series of a run's; export it as .vts, or name a "
+            "{}: has a single record, and a .pvd is a time series; export .vts, or name a "
             "run's folder or fields.nc",
             input));
     }
@@ -267,8 +267,9 @@ const ExportKind& kind_of(const ExportOptions& options) {
         if (is_meant) return kind;
         endings += fmt::format("{}{}", endings.empty() ? "" : ", ", kind.ending);
     }
-    throw InputError(fmt::format("{}: the name of what is exported ends in {}; or say it by --as",
-                                 options.output, endings));
+    throw InputError(
+        fmt::format("{}: the output's name must end in {}; or give the format with --as",
+                    options.output, endings));
 }
 
 std::string mesh_file(const ExportOptions& options, const ExportKind& kind, const HeightMesh& mesh,
@@ -313,7 +314,7 @@ std::string state_file(const ExportOptions& options) {
     if (std::error_code fault; std::filesystem::is_directory(input, fault)) return file;
     if (is_fields_file(file)) return file;
     throw InputError(fmt::format(
-        "--step {}: {} has one moment; --step goes with a run's folder or its fields.nc",
+        "--step {}: {} has a single record; --step takes a run's folder or its fields.nc",
         options.step, input));
 }
 
@@ -345,7 +346,7 @@ std::string stem_of(const ExportOptions& options, const ExportKind& kind) {
 
 void check_kind(const ExportOptions& options, const ExportKind& kind) {
     if (options.step != last_record && kind.name == "pvd")
-        throw InputError("--step: a .pvd is a series of all records; name a .vts");
+        throw InputError("--step: a .pvd holds all records; name a .vts for one of them");
     if (!options.field.empty() && kind.terrain.empty() && kind.name != "netcdf") {
         throw InputError(
             fmt::format("--field {}: a field is written as a grid: .tif, .cog.tif, .asc or .nc, "
@@ -355,7 +356,7 @@ void check_kind(const ExportOptions& options, const ExportKind& kind) {
     if (to_standard_output(options)) {
         if (kind.name == "pvd") throw InputError("-o -: a .pvd names its .vts files; name a file");
         if (kind.name == "netcdf") throw InputError("-o -: a NetCDF file needs a name");
-        if (kind.name != "esri-ascii") refuse_terminal("what is exported is no text", "bed.tif");
+        if (kind.name != "esri-ascii") refuse_terminal("the exported file is binary", "bed.tif");
         return;
     }
     if (kind.terrain.empty()) return;

@@ -154,13 +154,13 @@ std::optional<Measured> measured(const OrientationOptions& options) {
     if (!initial.note.empty()) remark(initial.note + "\n");
     if (!initial.nodata.empty())
         throw InputError(
-            fmt::format("{}: has cells without data; crests are measured of whole beds "
+            fmt::format("{}: has cells without data; crests are measured on beds without gaps "
                         "(--set bed.nodata=fill)",
                         options.bed));
     const CrestOrientation crests = crest_orientation(initial.bed, !options.open_edges);
     if (std::isnan(crests.degrees))
-        throw InputError(
-            fmt::format("{}: has no relief, or fewer than 5 x 5 cells, so no crests", options.bed));
+        throw InputError(fmt::format(
+            "{}: has no crests: it has no relief, or fewer than 5 x 5 cells", options.bed));
     return Measured{std::fmod(half_turn - crests.degrees, half_turn), crests.coherence};
 }
 

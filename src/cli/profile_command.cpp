@@ -115,7 +115,7 @@ GridPoint in_cells(const ProfileOptions& options, const std::string& text, const
     const WorldScale& scale = snapshot.scale;
     if (options.on_map && !scale.place)
         throw InputError(fmt::format(
-            "--map: {} lies nowhere on a map; leave the option out, and {} is in metres from "
+            "--map: {} has no map coordinates; without this option, {} is in metres from "
             "the south-west corner",
             options.input, option));
     const GeoReference bed{0.0, 0.0, scale.dx, scale.dy};
@@ -196,7 +196,7 @@ Profile line_of(const ProfileOptions& options, const Snapshot& snapshot, const G
     for (const std::string& text : options.along) {
         const GridPoint corner = in_cells(options, text, "--along", snapshot);
         if (!corners.empty() && corners.back() == std::array{corner.x, corner.y})
-            throw InputError(fmt::format("--along names {} twice, one after the other", text));
+            throw InputError(fmt::format("--along has the point {} twice in a row", text));
         corners.push_back({corner.x, corner.y});
     }
     Profile profile;
@@ -265,7 +265,8 @@ std::string picture_of(const ProfileOptions& options, const Profile& profile, bo
                        bool has_water, PageFormat format) {
     if (profile.distance.size() < 2)
         throw InputError(
-            "the stream begins where it ends, at the edge; there is no profile to draw");
+            "the stream starts at the grid's edge and has no length, so there is no profile to "
+            "draw");
     constexpr std::size_t most_samples = 2000;
     const std::size_t samples = std::min(most_samples, 4 * profile.distance.size());
     ProfilePicture picture;

@@ -137,8 +137,7 @@ int merge(const RenderOptions& options, const StoredBeds& beds, const StoredFram
     if (!missing.empty()) {
         throw Error(fmt::format(
             "{}: {} of {} frames are missing, so the movie is not made: {}; `fumon render {} -o "
-            "{}` "
-            "draws those that are not there",
+            "{}` draws the missing ones",
             options.folder, with_commas(static_cast<std::int64_t>(missing.size())),
             with_commas(frames.count()), ranges_text(missing), options.run, options.folder));
     }

@@ -144,7 +144,7 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
     if (previous != nullptr) {
         from.emplace(PreviousRun{previous->checkpoint, previous->first, *previous->rest});
         how.previous = &*from;
-        progress.note(fmt::format("goes on from step {} of {}",
+        progress.note(fmt::format("resumes at step {} of {}",
                                   with_commas(previous->checkpoint.step),
                                   with_commas(scene.run.steps)));
         report_build_change(previous->checkpoint.build, progress);
@@ -182,10 +182,10 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
         return 0;
     }
     progress.note(fmt::format(
-        "stopped by {} at step {} of {}; what was made is in {}{}",
+        "stopped by {} at step {} of {}; results so far are in {}{}",
         outcome.signal == SIGINT ? "an interrupt" : "a request to terminate",
         with_commas(outcome.steps_done), with_commas(scene.run.steps), folder.path().string(),
-        outcome.checkpoint ? fmt::format("; fumon run --resume {} goes on from step {}",
+        outcome.checkpoint ? fmt::format("; fumon run --resume {} continues from step {}",
                                          folder.path().string(), with_commas(*outcome.checkpoint))
                            : ""));
     return exit_status_of_signal(outcome.signal);

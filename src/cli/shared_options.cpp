@@ -107,10 +107,9 @@ void add_shard_options(CLI::App& command, ShardOptions& options, const char* mer
 
 void refuse_terminal(const char* what, const char* example) {
     if (::isatty(STDOUT_FILENO) == 0) return;
-    throw InputError(
-        fmt::format("-o -: standard output is a terminal, and {}; name a file, or let a file or a "
-                    "program take it (> {})",
-                    what, example));
+    throw InputError(fmt::format(
+        "-o -: standard output is a terminal, and {}; name a file, or redirect the output (> {})",
+        what, example));
 }
 
 Share share_of(const ShardOptions& options, WorkOptions& work, StatusLine& status,

@@ -137,7 +137,7 @@ int report_outcome(const std::vector<RunRecord>& records, const std::string& wha
     const int signal = done + failed < records.size() ? interrupting_signal() : 0;
     if (signal != 0) {
         status.note(fmt::format(
-            "{}stopped by {}: {} are done and in {}; the same command goes on from here", what,
+            "{}stopped by {}: {} are done and in {}; the same command continues from here", what,
             signal == SIGINT ? "an interrupt" : "a request to terminate",
             of_runs(done, records.size()), where));
         return exit_status_of_signal(signal);

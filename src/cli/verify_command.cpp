@@ -112,7 +112,7 @@ void sort_words(const std::vector<std::string>& words, VerificationOptions& aske
     }
     if (!asked.baselines.empty()) return;
     throw InputError(
-        fmt::format("fumon verify: \"{}\" is no file; name a baseline (TOML), and cases behind it",
+        fmt::format("fumon verify: \"{}\" is not a file; name a baseline (TOML), then its cases",
                     words.front()));
 }
 
@@ -123,16 +123,15 @@ int perform(const VerifyOptions& options) {
     if (!options.shard.empty()) asked.shard = read_shard(options.shard);
     asked.isolate = !options.in_one_process;
     if (asked.this_environment && !asked.update && asked.accepts.empty()) {
-        throw InputError(
-            "fumon verify: --this-environment says what is recorded; give --update or --accept, "
-            "too");
+        throw InputError("fumon verify: --this-environment works only with --update or --accept");
     }
     if (!asked.accepts.empty() && !(asked.names.empty() && asked.patterns.empty())) {
         throw InputError(
-            "fumon verify: --accept names its cases itself; repeat it for each of them");
+            "fumon verify: --accept takes the names of cases itself; repeat --accept for each "
+            "case");
     }
     if (asked.as_json && asked.format != ReportFormat::lines)
-        throw InputError("fumon verify: --json and --format are two reports; keep one");
+        throw InputError("fumon verify: give either --json or --format, not both");
     asked.as_json = asked.as_json || asked.format == ReportFormat::gitlab;  // no lines beside it
     return verify(asked);
 }

@@ -26,7 +26,7 @@ AtomicFile checked(const std::filesystem::path& file, const FileBeginning& previ
     const std::string differs = difference(file, previous);
     if (!differs.empty())
         throw InputError(
-            fmt::format("{}: cannot go on with it: it {}", surviving_file(file).string(), differs));
+            fmt::format("{}: cannot be continued: it {}", surviving_file(file).string(), differs));
     return AtomicFile(file, previous.length);
 }
 
@@ -41,8 +41,8 @@ std::filesystem::path surviving_file(const std::filesystem::path& file) {
 std::string difference(const std::filesystem::path& file, const FileBeginning& beginning) {
     const std::filesystem::path left = surviving_file(file);
     std::error_code fault;
-    if (!std::filesystem::exists(left, fault)) return "is not there";
-    if (!std::filesystem::is_regular_file(left, fault)) return "is no file";
+    if (!std::filesystem::exists(left, fault)) return "does not exist";
+    if (!std::filesystem::is_regular_file(left, fault)) return "is not a file";
     Sha256Stream hash;
     const std::int64_t found = hash_beginning(left, beginning.length, hash);
     if (found < beginning.length) return fmt::format("has {} bytes of {}", found, beginning.length);

@@ -20,8 +20,8 @@ struct FileBeginning {
 /// one, else its own.
 std::filesystem::path surviving_file(const std::filesystem::path& file);
 
-/// Why a file does not begin with these bytes: "is not there", "has 40 bytes of 96" …; empty where
-/// it does. Throws where it cannot be read.
+/// Why a file does not begin with these bytes: "does not exist", "has 40 bytes of 96" …; empty
+/// where it does. Throws where it cannot be read.
 std::string difference(const std::filesystem::path& file, const FileBeginning& beginning);
 
 /// An atomic file that only grows and whose SHA-256 is known at any time, so that a later program

@@ -71,7 +71,7 @@ AtomicFile::AtomicFile(std::filesystem::path file, std::int64_t length)
             descriptor_ < 0 ? std::generic_category().message(errno)
                             : fmt::format("it has {} bytes of {}", status.st_size, length);
         if (descriptor_ >= 0) ::close(descriptor_);
-        throw InputError(fmt::format("{}: cannot go on with it: {}", temporary_.string(), reason));
+        throw InputError(fmt::format("{}: cannot be continued: {}", temporary_.string(), reason));
     }
     if (::ftruncate(descriptor_, length) == 0 && ::lseek(descriptor_, 0, SEEK_END) == length)
         return;

@@ -142,14 +142,15 @@ void CheckpointReader::check() {
     std::array<char, checkpoint_magic.size()> magic{};
     if (size >= magic.size()) take(magic.data(), magic.size());
     if (view_of(magic) != checkpoint_magic)
-        throw InputError(fmt::format("{}: is no checkpoint of fumon; {}", name_, remedy));
+        throw InputError(fmt::format("{}: is not a checkpoint of fumon; {}", name_, remedy));
     std::array<char, sizeof checkpoint_format> format{};
     if (size < head_bytes + tail_bytes) refuse("is cut short");
     take(format.data(), format.size());
     if (number_of<std::uint32_t>(format) != checkpoint_format)
-        throw InputError(fmt::format(
-            "{}: has format {}, and this fumon reads format {}; go on with the fumon that wrote it",
-            name_, number_of<std::uint32_t>(format), checkpoint_format));
+        throw InputError(
+            fmt::format("{}: has format {}, but this fumon reads format {}; resume with the "
+                        "version that wrote it",
+                        name_, number_of<std::uint32_t>(format), checkpoint_format));
 
     Sha256Stream hash;
     hash.add(magic.data(), magic.size());
@@ -169,7 +170,7 @@ void CheckpointReader::check() {
     if (hash.finish() != written) {
         if (number_of<std::uint64_t>(length) != size - tail_bytes)
             refuse("is cut short or damaged");
-        refuse("is damaged: its SHA-256 is not the one it carries");
+        refuse("is damaged: its SHA-256 does not match");
     }
     if (number_of<std::uint64_t>(length) != size - tail_bytes) refuse("has a wrong length");
     bytes_->seekg(static_cast<std::streamoff>(head_bytes));
@@ -178,13 +179,13 @@ void CheckpointReader::check() {
 
 void CheckpointReader::values(std::string_view name, std::span<double> values) {
     if (read_header('d', name, sizeof(double)) != values.size())
-        refuse(fmt::format("its {} has another size", name));
+        refuse(fmt::format("its {} has a different size", name));
     read_numbers(values);
 }
 
 void CheckpointReader::values(std::string_view name, std::span<std::int64_t> values) {
     if (read_header('i', name, sizeof(std::int64_t)) != values.size())
-        refuse(fmt::format("its {} has another size", name));
+        refuse(fmt::format("its {} has a different size", name));
     read_numbers(values);
 }
 
@@ -208,7 +209,7 @@ void CheckpointReader::refuse(const std::string& why) const {
 }
 
 void CheckpointReader::finish() {
-    if (left_ != 0) refuse("holds more than is asked for");
+    if (left_ != 0) refuse("has unexpected data at its end");
 }
 
 /// The number of values that follow, of `size` bytes each: no more than there are bytes for.

@@ -140,7 +140,8 @@ class CsvReader {
     std::string quoted() {
         std::string cell;
         for (++place_;; ++place_) {
-            if (place_ >= source_.text.size()) fail("a quote has no end", "close it");
+            if (place_ >= source_.text.size())
+                fail("a quoted cell is not closed", "write its closing quote");
             if (source_.text[place_] != '"') {
                 cell += source_.text[place_];
             } else {
@@ -219,7 +220,7 @@ class DecimalSigns {
         has_comma_ = has_comma_ || comma;
         has_point_ = has_point_ || (!comma && cell.find('.') != cell.npos && is_number(cell));
         if (has_comma_ && has_point_)
-            reader.fail("numbers have decimal commas and decimal points", "write one of them");
+            reader.fail("numbers mix decimal commas and decimal points", "write one of them");
         return number;
     }
 
@@ -335,7 +336,7 @@ Table parse_csv_table(const TextSource& source, const WantedHeader& wanted) {
     }
     for (const std::string& name : is_data ? wanted.by_position : first) {
         if (table.find(name) != nullptr)
-            reader.fail(fmt::format("column {} is there twice", shown(name)), "rename one");
+            reader.fail(fmt::format("column {} occurs twice", shown(name)), "rename one");
         table.columns.push_back({name});
     }
     if (is_data) add_row(first);

@@ -28,7 +28,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::seconds
     }
     ::close(descriptor_);
     throw InputError(fmt::format(
-        "another fumon is at work in {}; wait for it or name another folder", folder.string()));
+        "another fumon is working in {}; wait for it or name another folder", folder.string()));
 }
 
 FolderLock::~FolderLock() {

@@ -196,7 +196,7 @@ std::optional<UnitConversion> unit_conversion(std::string_view from, std::string
     Units& units = Units::all();
     const std::lock_guard lock(units.mutex);
     const Unit wanted = units.parse(to);
-    if (wanted == nullptr) throw Error(fmt::format("\"{}\" is no unit of UDUNITS", to));
+    if (wanted == nullptr) throw Error(fmt::format("\"{}\" is not a unit of UDUNITS", to));
     if (const NamedLength* named = find_named(named_lengths, plain)) {
         const Unit metre = units.parse("m");
         auto conversion = between(metre.get(), wanted.get());

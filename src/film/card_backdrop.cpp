@@ -10,8 +10,8 @@ namespace fumon {
 
 namespace {
 
-constexpr int radius_of_side = 40;  // the shorter side is that many radii
-constexpr int passes = 3;
+constexpr int radii_per_side = 40;  // the shorter side is that many radii
+constexpr int blur_pass_count = 3;
 constexpr std::uint8_t behind = 16;          // what a picture that can be seen through is laid on
 constexpr std::uint32_t fraction = 1U << 8;  // levels are kept that much finer
 constexpr std::uint32_t part = 1;            // of the brightness is left …
@@ -48,12 +48,12 @@ Image card_backdrop(const Image& picture) {
     Image made(opaque.width, opaque.height);
     const auto width = static_cast<std::size_t>(opaque.width);
     const auto height = static_cast<std::size_t>(opaque.height);
-    const int radius = std::min(opaque.width, opaque.height) / radius_of_side;
+    const int radius = std::min(opaque.width, opaque.height) / radii_per_side;
     std::vector<std::uint32_t> values(opaque.rgb.size());
     std::ranges::transform(opaque.rgb, values.begin(),
                            [](std::uint8_t level) { return level * fraction * part / of; });
     std::vector<std::uint32_t> line;
-    for (int pass = 0; pass < passes; ++pass) {
+    for (int pass = 0; pass < blur_pass_count; ++pass) {
         for (std::size_t y = 0; y < height; ++y)
             for (std::size_t channel = 0; channel < 3; ++channel)
                 average(&values[3 * y * width + channel], width, 3, radius, line);

@@ -35,11 +35,12 @@ struct Purpose {
     std::int64_t quality;  ///< 0: the film's own
 };
 
-constexpr std::int64_t megabyte = 1'000'000;
-constexpr std::array<Purpose, 4> purposes{{{"talk", "h264", "", 0.0, 0, 0},
-                                           {"social", "h264", "vertical", 0.0, 0, 0},
-                                           {"readme", "webp", "360p", 15.0, 3 * megabyte, 28},
-                                           {"gif", "gif", "small", 12.5, 8 * megabyte, 0}}};
+constexpr std::int64_t bytes_per_megabyte = 1'000'000;
+constexpr std::array<Purpose, 4> purposes{
+    {{"talk", "h264", "", 0.0, 0, 0},
+     {"social", "h264", "vertical", 0.0, 0, 0},
+     {"readme", "webp", "360p", 15.0, 3 * bytes_per_megabyte, 28},
+     {"gif", "gif", "small", 12.5, 8 * bytes_per_megabyte, 0}}};
 
 bool is_picture(std::string_view format) {
     return format == "sheet" || format == "poster";
@@ -84,7 +85,8 @@ std::string format_of(const Film& film, const fs::path& file) {
         if (endings.find(format.ending) == std::string::npos)
             endings += ", " + std::string(format.ending);
     }
-    throw InputError(fmt::format("{}: a film's name ends in one of {}", file.string(), endings));
+    throw InputError(
+        fmt::format("{}: the name of a film must end in one of {}", file.string(), endings));
 }
 
 fs::path without_ending(fs::path file) {

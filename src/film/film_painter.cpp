@@ -19,8 +19,8 @@ namespace fumon {
 
 namespace {
 
-constexpr double safe_edge = 0.05;    // of the picture's shorter side, kept free of overlays
-constexpr double size_in_pane = 1.5;  // of letters in a run's picture, of its share
+constexpr double safe_edge_share = 0.05;   // of the picture's shorter side, kept free of overlays
+constexpr double pane_letter_ratio = 1.5;  // of letters in a run's picture, of its share
 
 /// A bed just as wide as a narrow pane would leave half of it to sky and table: its corners are cut
 /// off instead.
@@ -67,7 +67,7 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
     for (OverlaySettings& overlay : stage_.scene.view.overlays) {
         if (overlay.font_size.is_word())
             overlay.font_size =
-                std::max(6.0, film.settings.cap_height / cap_height_of_font * side / usual_side);
+                std::max(6.0, film.settings.cap_height / cap_height_em * side / usual_side_pixels);
         if (differs() && overlay.kind == OverlayKind::colour_bar && overlay.text.empty())
             overlay.text = "difference of height";
     }
@@ -228,10 +228,10 @@ void FilmPainter::place_overlays(const FilmSize& size) {
         if (!has_overlays(scene)) return nullptr;
         std::unique_ptr<FrameOverlays> made;
         located(film_, [&] {
-            made =
-                std::make_unique<FrameOverlays>(scene, runs_.first().first(),
-                                                OverlayStyle{film_.settings.plates == Plates::none,
-                                                             true, safe_edge * side, end_time});
+            made = std::make_unique<FrameOverlays>(
+                scene, runs_.first().first(),
+                OverlayStyle{film_.settings.plates == Plates::none, true, safe_edge_share * side,
+                             end_time});
         });
         return made;
     };
@@ -246,7 +246,7 @@ void FilmPainter::place_overlays(const FilmSize& size) {
     if (!several) return;
     const double pane_side =
         static_cast<double>(std::min(layout_.size().width, layout_.size().height));
-    const double smaller = std::min(1.0, size_in_pane * pane_side / side);
+    const double smaller = std::min(1.0, pane_letter_ratio * pane_side / side);
     for (Pane& pane : panes_) {
         for (OverlaySettings& overlay : pane.scene.view.overlays) {
             if (!is_own(overlay)) overlay.show = false;

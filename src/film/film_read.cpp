@@ -54,7 +54,7 @@ class FilmReader {
                 const std::size_t size = items == nullptr ? 0 : items->size();
                 if (size == list.size()) continue;
                 if (size > most_tables)
-                    throw InputError(fmt::format("{}: [[{}]] stands more than {} times",
+                    throw InputError(fmt::format("{}: [[{}]] occurs more than {} times",
                                                  locate(items->source()),
                                                  without_numbers(list.path), most_tables));
                 list.resize(size);
@@ -114,7 +114,7 @@ class FilmReader {
 
     void read_value(const Key& key, const toml::node& value, const std::string& place) {
         if (value.is_table()) {
-            throw InputError(fmt::format("{}: {} is no section; it takes {}", place, key.path,
+            throw InputError(fmt::format("{}: {} is not a section; it takes {}", place, key.path,
                                          accepted_values(key)));
         }
         assign(key, value, [this](const auto& region) { return locate(region); });
@@ -144,10 +144,9 @@ class FilmReader {
 
     [[noreturn]] void refuse(const std::string& path, const std::string& place) const {
         if (table_.find_list(path) != nullptr) {
-            throw InputError(
-                fmt::format("{}: {} is a list of sections; write [[{}]] and its keys below, as "
-                            "often as there are",
-                            place, path, without_numbers(path)));
+            throw InputError(fmt::format(
+                "{}: {} is a list of sections; write [[{}]] and its keys below, once for each",
+                place, path, without_numbers(path)));
         }
         std::vector<std::string> known;
         for (const Key& key : table_.keys()) known.push_back(key.path);
@@ -190,8 +189,8 @@ void read_excerpt(Film& film, std::size_t number, bool reads_files) {
     }
     Film read = parse_film(text, name, {}, false);
     if (!read.excerpts.empty())
-        throw InputError(
-            fmt::format("{}{}: is cut from others itself; take these", film.at(key), key));
+        throw InputError(fmt::format("{}{}: this film is itself cut from other films; name those",
+                                     film.at(key), key));
     read.cards.clear();
     read.captions.clear();
     excerpt.film = film_toml(read);
@@ -255,8 +254,8 @@ FilmText film_text(const std::filesystem::path& file) {
     const auto text = texts.find(film_keyword);
     if (text == texts.end()) {
         throw InputError(
-            fmt::format("{}: carries no film; `fumon film` takes a film file, an MP4 or PNG that "
-                        "it made, or another of its films with the .json beside it",
+            fmt::format("{}: has no film in its metadata; `fumon film` takes a film file, an MP4 "
+                        "or PNG that it made, or another of its films with the .json beside it",
                         file.string()));
     }
     const auto remake = texts.find(remake_keyword);

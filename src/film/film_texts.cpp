@@ -87,10 +87,10 @@ std::vector<FilmedRun> filmed_runs(const FilmTexts& texts, const std::string& fi
         runs.clear();
     }
     if (!runs.empty() && runs.size() <= std::size_t{most_joined_runs}) return runs;
-    throw InputError(fmt::format(
-        "{}: does not tell the runs that it was cut from; `fumon film RUN {}` makes it again from "
-        "the folder of one",
-        film, film));
+    throw InputError(
+        fmt::format("{}: does not name the runs that it was cut from; `fumon film RUN {}` makes it "
+                    "again from a run's folder",
+                    film, film));
 }
 
 std::int64_t most_bytes_of(const FilmTexts& texts) {
@@ -113,7 +113,7 @@ std::string why_films_differ(const FilmTexts& then, const fs::path& made) {
     }
     if (text_of(then, "fumon:pixels-sha256") == text_of(now, "fumon:pixels-sha256"))
         text += text.empty() ? "the same frames" : "; the same frames";
-    return text.empty() ? "nothing that the film tells of its making differs" : text;
+    return text.empty() ? "the parameters recorded in the film are the same" : text;
 }
 
 }  // namespace fumon

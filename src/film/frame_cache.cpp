@@ -31,7 +31,7 @@ FrameCache::FrameCache(const fs::path& file, const std::string& identity)
         if (there == line) return;
         if (!there.starts_with(mark)) {
             throw InputError(
-                fmt::format("{}: is there already and holds no frames of a film; move it away",
+                fmt::format("{}: already exists and holds no frames of a film; move it away",
                             folder_.string()));
         }
         clear();

@@ -17,7 +17,7 @@ namespace fumon {
 
 namespace {
 
-constexpr std::size_t channels = 3;
+constexpr std::size_t channel_count = 3;
 
 /// How much of each pixel of a line goes into each pixel of another.
 struct Share {
@@ -47,8 +47,8 @@ Image resized_open(const Image& image, int width, int height) {
     std::size_t n = 0;
     for (const auto& row : rows) {
         for (const auto& column : columns) {
-            std::array<double, channels> colours{};
-            std::array<double, channels> unseen{};
+            std::array<double, channel_count> colours{};
+            std::array<double, channel_count> unseen{};
             double alpha = 0.0;
             for (const Share& down : row) {
                 const std::uint8_t* line = image.row(down.from);
@@ -58,17 +58,17 @@ Image resized_open(const Image& image, int width, int height) {
                     const double weight = down.weight * across.weight;
                     const double seen = weight * opacities[across.from];
                     alpha += seen;
-                    for (std::size_t c = 0; c < channels; ++c) {
+                    for (std::size_t c = 0; c < channel_count; ++c) {
                         const double value =
-                            line[channels * static_cast<std::size_t>(across.from) + c];
+                            line[channel_count * static_cast<std::size_t>(across.from) + c];
                         colours.at(c) += seen * value;
                         unseen.at(c) += weight * value;
                     }
                 }
             }
-            for (std::size_t c = 0; c < channels; ++c) {
+            for (std::size_t c = 0; c < channel_count; ++c) {
                 const double value = alpha > 0.0 ? colours.at(c) / alpha : unseen.at(c);
-                small.rgb[channels * n + c] =
+                small.rgb[channel_count * n + c] =
                     static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
             }
             small.alpha[n++] =
@@ -116,7 +116,7 @@ Image FrameSpool::frame(std::int64_t number) const {
         static_cast<off_t>(number) * static_cast<off_t>(image.rgb.size() + image.alpha.size());
     if (::fseeko(file_.get(), at, SEEK_SET) != 0 || !read_all(image.rgb, file_.get()) ||
         !read_all(image.alpha, file_.get()))
-        throw Error(name_.string() + ": a frame that was kept there cannot be read again");
+        throw Error(name_.string() + ": a frame stored there cannot be read");
     return image;
 }
 
@@ -125,22 +125,23 @@ Image resized(const Image& image, int width, int height) {
     if (image.transparent()) return resized_open(image, width, height);
     const auto columns = shares_of(image.width, width);
     const auto rows = shares_of(image.height, height);
-    std::vector<double> narrow(channels * static_cast<std::size_t>(width) *
+    std::vector<double> narrow(channel_count * static_cast<std::size_t>(width) *
                                static_cast<std::size_t>(image.height));
     auto* out = narrow.data();
     for (int y = 0; y < image.height; ++y) {
         const std::uint8_t* in = image.row(y);
         for (const auto& column : columns) {
-            for (std::size_t c = 0; c < channels; ++c) {
+            for (std::size_t c = 0; c < channel_count; ++c) {
                 double sum = 0.0;
                 for (const Share& share : column)
-                    sum += share.weight * in[channels * static_cast<std::size_t>(share.from) + c];
+                    sum +=
+                        share.weight * in[channel_count * static_cast<std::size_t>(share.from) + c];
                 *out++ = sum;
             }
         }
     }
     Image small(width, height);
-    const std::size_t line = channels * static_cast<std::size_t>(width);
+    const std::size_t line = channel_count * static_cast<std::size_t>(width);
     for (int y = 0; y < height; ++y) {
         std::uint8_t* pixel = small.row(y);
         for (std::size_t i = 0; i < line; ++i) {

@@ -10,8 +10,8 @@ namespace fumon {
 
 namespace {
 
-constexpr double line_gap = 0.28;     // of a line's font size, below it
-constexpr double shadow_reach = 0.3;  // font sizes
+constexpr double line_gap_em = 0.28;     // of a line's font size, below it
+constexpr double shadow_reach_em = 0.3;  // font sizes
 
 /// The end of the letter that begins at a byte of UTF-8.
 std::size_t letter_end(const std::string& text, std::size_t begin) {
@@ -79,10 +79,10 @@ Lettering::Lettering(const std::vector<LetteredLine>& lines, double widest) {
             placed.push_back({text, line.font_size, line.bold, height_});
             width_ = std::max(width_, width);
             height_ += height;
-            gap = line_gap * line.font_size;
+            gap = line_gap_em * line.font_size;
         }
     }
-    margin_ = static_cast<int>(std::ceil(shadow_reach * largest)) + 2;
+    margin_ = static_cast<int>(std::ceil(shadow_reach_em * largest)) + 2;
     Canvas canvas(static_cast<int>(std::ceil(width_)) + 2 * margin_,
                   static_cast<int>(std::ceil(height_)) + 2 * margin_, 1.0,
                   CanvasGround::transparent);

@@ -9,10 +9,10 @@
 namespace fumon {
 
 /// The height of a capital letter of DejaVu Sans, font sizes.
-inline constexpr double cap_height_of_font = 0.729;
+inline constexpr double cap_height_em = 0.729;
 
 /// Pixels of a picture's shorter side for which film.cap_height is meant.
-inline constexpr double usual_side = 1080.0;
+inline constexpr double usual_side_pixels = 1080.0;
 
 struct LetteredLine {
     std::string text;

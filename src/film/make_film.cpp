@@ -36,10 +36,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int worst_quality = 44;  // before pictures become smaller instead
-constexpr int coarser = 4;         // rate factors from one try to the next
-constexpr int most_tries = 14;
-constexpr double sheet_resolution = 100.0;  // dots per inch
+constexpr int worst_rate_factor = 44;  // before pictures become smaller instead
+constexpr int rate_factor_step = 4;    // rate factors from one try to the next
+constexpr int most_try_count = 14;
+constexpr double sheet_dots_per_inch = 100.0;  // dots per inch
 
 /// Ends a film that was interrupted.
 struct Interrupted {
@@ -88,7 +88,7 @@ class FilmMaker {
         const bool transparent = painter_->transparent();
         open_ = transparent && (format == nullptr || !format->open_pixels.empty());
         if (transparent && !open_) {
-            status.note(fmt::format("{}: {} has no alpha, so it stands on white; {} have",
+            status.note(fmt::format("{}: {} has no alpha, so its background is white; {} have",
                                     output.file.string(), film_.settings.format,
                                     transparent_format_names()));
         }
@@ -192,7 +192,7 @@ class FilmMaker {
             add_to_hash(pixels_, image);
             sheet.add(frame, image);
         }
-        write_file(output_.file, encode_png(sheet.image(), sheet_resolution, texts()));
+        write_file(output_.file, encode_png(sheet.image(), sheet_dots_per_inch, texts()));
     }
 
     /// The sheet beside a movie, as one that is made alone.
@@ -200,7 +200,7 @@ class FilmMaker {
         Film film = film_;
         film.settings.format = "sheet";
         write_file(output_.sheet,
-                   encode_png(sheet.image(), sheet_resolution, texts_of(film, pixels)));
+                   encode_png(sheet.image(), sheet_dots_per_inch, texts_of(film, pixels)));
         made_.sheet_frames = static_cast<std::int64_t>(sheet.frames().size());
     }
 
@@ -262,12 +262,12 @@ class FilmMaker {
             film_.settings.format != "ffv1" && film_.settings.format != "prores";
         int quality = static_cast<int>(film_.settings.quality);
         double scale = 1.0;
-        for (int tries = 0; tries < most_tries; ++tries) {
+        for (int tries = 0; tries < most_try_count; ++tries) {
             const std::int64_t bytes = encode(spool, colours ? &*colours : nullptr, quality, scale);
             if (output_.most_bytes == 0 || bytes <= output_.most_bytes) return;
             fs::remove(output_.file);
-            if (has_quality && quality + coarser <= worst_quality) {
-                quality += coarser;
+            if (has_quality && quality + rate_factor_step <= worst_rate_factor) {
+                quality += rate_factor_step;
                 continue;
             }
             const double ratio =
@@ -278,8 +278,8 @@ class FilmMaker {
                 break;
         }
         throw Error(
-            fmt::format("{}: cannot be made as small as {} bytes; let the film be shorter "
-                        "or have fewer frames a second",
+            fmt::format("{}: cannot be made as small as {} bytes; make the film shorter, or lower "
+                        "its frame rate",
                         output_.file.string(), with_commas(output_.most_bytes)));
     }
 

@@ -15,16 +15,16 @@ namespace fumon {
 
 namespace {
 
-constexpr double label_size = 0.85;   // of a caption's letters
-constexpr double strip_height = 1.7;  // font sizes
-constexpr double scale_length = 3.6;  // font sizes, of the line of values
+constexpr double label_size_ratio = 0.85;  // of a caption's letters
+constexpr double strip_height_em = 1.7;    // font sizes
+constexpr double scale_length_em = 3.6;    // font sizes, of the line of values
 constexpr Ink dark_ink{0.063, 0.063, 0.063, 1.0};
 constexpr Ink pale_ink{0.62, 0.62, 0.62, 1.0};
 
 double font_of(const Film& film, const FilmSize& size) {
     const double side = static_cast<double>(std::min(size.width, size.height));
-    return std::max(6.0,
-                    label_size * film.settings.cap_height / cap_height_of_font * side / usual_side);
+    return std::max(6.0, label_size_ratio * film.settings.cap_height / cap_height_em * side /
+                             usual_side_pixels);
 }
 
 bool is_grid(const Film& film) {
@@ -57,7 +57,7 @@ void draw_label(Canvas& canvas, const CanvasBox& strip, const std::string& text,
                 const std::vector<double>& values, std::size_t run, double font) {
     const bool scaled = !values.empty() && std::ranges::min(values) < std::ranges::max(values);
     const double room = strip.width - font;
-    const double beside = scaled ? (scale_length + 0.8) * font : 0.0;
+    const double beside = scaled ? (scale_length_em + 0.8) * font : 0.0;
     const double length = canvas.text_size(text)[0];
     const bool fits = length + beside <= room;
     const double shrunk = fits ? 1.0 : std::min(1.0, room / length);
@@ -65,9 +65,10 @@ void draw_label(Canvas& canvas, const CanvasBox& strip, const std::string& text,
     const double left = strip.x + 0.5 * (strip.width - all);
     canvas.write(text, {left, strip.y + 0.5 * strip.height}, {0.0, 0.5}, white_ink, shrunk);
     if (fits && scaled)
-        draw_scale(canvas,
-                   {left + all - scale_length * font, strip.y, scale_length * font, strip.height},
-                   values, values[run]);
+        draw_scale(
+            canvas,
+            {left + all - scale_length_em * font, strip.y, scale_length_em * font, strip.height},
+            values, values[run]);
 }
 
 }  // namespace
@@ -113,12 +114,12 @@ void Panes::place(const Film& film, const FilmRuns& runs, const FilmSize& size) 
     columns = std::min(columns, count);
     const int rows = (count + columns - 1) / columns;
     const int gap = count > 1 ? std::max(2, std::min(width, height) / 270) : 0;
-    strip_ = runs.size() > 1 ? static_cast<int>(std::ceil(strip_height * font_)) : 0;
+    strip_ = runs.size() > 1 ? static_cast<int>(std::ceil(strip_height_em * font_)) : 0;
     const int across = (width - gap * (columns - 1)) / columns;
     const int down = (height - gap * (rows - 1)) / rows;
     if (across < smallest_film_side || down - strip_ < smallest_film_side) {
         throw InputError(fmt::format(
-            "{}{} runs side by side have no room in {} x {} pixels; take a larger film.size, or a "
+            "{}{} runs side by side do not fit into {} x {} pixels; take a larger film.size, or a "
             "smaller film.cap_height",
             film.at("film.size"), count, width, height));
     }

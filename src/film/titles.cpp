@@ -15,11 +15,11 @@ namespace fumon {
 
 namespace {
 
-constexpr double safe_margin = 0.05;   // of the picture's width and height
-constexpr double title_size = 2.2;     // of a caption's
-constexpr double caption_fade = 0.25;  // seconds
-constexpr std::uint8_t darkness = 16;  // of a card's ground
-constexpr double veil = 0.35;          // of black under a card over the picture
+constexpr double safe_margin_share = 0.05;     // of the picture's width and height
+constexpr double title_size_ratio = 2.2;       // of a caption's
+constexpr double caption_fade_seconds = 0.25;  // seconds
+constexpr std::uint8_t darkness = 16;          // of a card's ground
+constexpr double veil_opacity = 0.35;          // of black under a card over the picture
 
 std::string filled(const Film& film, const std::string& key, const std::string& text,
                    const Scene& scene, const Snapshot& first, const TitleFacts& facts) {
@@ -38,7 +38,7 @@ std::string filled(const Film& film, const std::string& key, const std::string& 
 }
 
 double caption_font(const Film& film, int width, int height) {
-    return film.settings.cap_height / cap_height_of_font * std::min(width, height) / usual_side;
+    return film.settings.cap_height / cap_height_em * std::min(width, height) / usual_side_pixels;
 }
 
 std::vector<LetteredLine> lines_of(const Film& film, std::size_t number, const Scene& scene,
@@ -53,8 +53,8 @@ std::vector<LetteredLine> lines_of(const Film& film, std::size_t number, const S
     }
     std::vector<LetteredLine> lines;
     if (!title.empty())
-        lines.push_back(
-            {filled(film, path + ".title", title, scene, first, facts), title_size * font, true});
+        lines.push_back({filled(film, path + ".title", title, scene, first, facts),
+                         title_size_ratio * font, true});
     for (const std::string& line : below)
         lines.push_back({filled(film, path + ".lines", line, scene, first, facts), font, false});
     return lines;
@@ -107,14 +107,14 @@ Titles::Titles(const Film& film, const FilmStage& stage, const Snapshot& first,
       first_(timeline.shots_begin()),
       last_(timeline.shots_end() - 1) {
     const double font = caption_font(film, width_, height_);
-    const double widest = (1.0 - 2.0 * safe_margin) * width_;
+    const double widest = (1.0 - 2.0 * safe_margin_share) * width_;
     for (std::size_t i = 0; i < film.cards.size(); ++i) {
         cards_.emplace_back(lines_of(film, i, stage.scene, first, facts, font), widest);
         const Card& card = film.cards[i];
-        if (cards_.back().height() > (1.0 - 2.0 * safe_margin) * height_) {
+        if (cards_.back().height() > (1.0 - 2.0 * safe_margin_share) * height_) {
             const std::string key = fmt::format("card.{}.lines", i);
-            throw InputError(fmt::format("{}card.{} has more lines than the picture has room for",
-                                         film.at(key), i));
+            throw InputError(
+                fmt::format("{}card.{} has more lines than fit into the picture", film.at(key), i));
         }
         if (card.ground != CardBackground::picture) continue;
         const std::int64_t shots = timeline.shots_end() - timeline.shots_begin();
@@ -125,7 +125,7 @@ Titles::Titles(const Film& film, const FilmStage& stage, const Snapshot& first,
                                                            : timeline.shots_end() - frames,
                          frames});
     }
-    bottom_ = (1.0 - safe_margin) * height_;
+    bottom_ = (1.0 - safe_margin_share) * height_;
     double highest = 0.0;
     double broadest = 0.0;
     for (ReadyCaption& caption : ready_captions(film, stage.scene, first, facts)) {
@@ -159,7 +159,8 @@ double Titles::opacity_of(const Card& card, double seconds) const {
 void Titles::draw(Image& image, std::int64_t frame) const {
     const double second = static_cast<double>(frame) / rate_;
     for (const Placed& placed : captions_) {
-        const double fade = std::min(caption_fade, 0.5 * (placed.caption.to - placed.caption.from));
+        const double fade =
+            std::min(caption_fade_seconds, 0.5 * (placed.caption.to - placed.caption.from));
         const double opacity =
             std::min(second - placed.caption.from, placed.caption.to - second) / fade;
         if (opacity <= 0.0) continue;
@@ -171,7 +172,7 @@ void Titles::draw(Image& image, std::int64_t frame) const {
         if (within < 0 || within >= over.frames) continue;
         const double opacity =
             opacity_of(film_.cards[over.number], (static_cast<double>(within) + 0.5) / rate_);
-        darken(image, veil * opacity);
+        darken(image, veil_opacity * opacity);
         const Lettering& lettering = cards_[over.number];
         lettering.draw(image, 0.5 * width_, 0.5 * (height_ - lettering.height()), opacity);
     }

@@ -61,7 +61,7 @@ void pin_rendering() {
     Pinning& state = pinning();
     if (state.done) return;
     if (Context::any_created())
-        throw Error("rendering cannot be pinned any more: an OpenGL context was made before");
+        throw Error("rendering can no longer be pinned: an OpenGL context already exists");
     for (const Setting& setting : pinned_settings) {
         const char* before = std::getenv(setting.variable);
         if (before != nullptr && std::string(before) != setting.value) {
@@ -90,7 +90,7 @@ const std::vector<std::string>& overridden_by_pinning() {
 
 std::string pinning_obstacle([[maybe_unused]] const std::string& renderer) {
 #if !defined(__x86_64__)
-    return "the processor is no x86-64";
+    return "the processor is not x86-64";
 #else
     if (!renderer.starts_with("llvmpipe"))
         return fmt::format("{} draws it, not Mesa's llvmpipe", renderer);

@@ -104,12 +104,12 @@ class Assembler {
         const std::string_view quoted =
             trimmed(directive.substr(std::string_view("#include").size()));
         if (quoted.size() < 3 || quoted.front() != '"' || quoted.back() != '"') {
-            throw Error(fmt::format("{}: '{}' is no include; write #include \"file.glsl\"", where,
-                                    directive));
+            throw Error(fmt::format("{}: '{}' is not an include; write #include \"file.glsl\"",
+                                    where, directive));
         }
         const std::string name(quoted.substr(1, quoted.size() - 2));
         if (std::find(chain_.begin(), chain_.end(), name) != chain_.end()) {
-            throw Error(fmt::format("{}: the include comes round to itself: {} → {}", where,
+            throw Error(fmt::format("{}: circular include: {} → {}", where,
                                     fmt::join(chain_, " → "), name));
         }
         if (std::find(source_.files.begin(), source_.files.end(), name) != source_.files.end())

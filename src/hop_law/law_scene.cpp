@@ -118,7 +118,7 @@ SandSource sand_source(const std::string& into) {
     sand.text = read_scene_text(sand.own ? fs::path(into) : data_file(ripples_of_section_5));
     sand.scene = prepare_run(parse_scene(sand.text, {}), 1).scene;
     if (sand.scene.model.name != Sand::model_name) {
-        throw InputError(fmt::format("{}a hop law goes into the model {}, not into {}",
+        throw InputError(fmt::format("{}a hop law is for the model {}, not for {}",
                                      sand.scene.at("model.name"), Sand::model_name,
                                      sand.scene.model.name));
     }
@@ -129,7 +129,7 @@ const Airflow& airflow_of(const PreparedRun& prepared) {
     const auto* air = dynamic_cast<const Airflow*>(prepared.model.get());
     if (air == nullptr) {
         throw InputError(fmt::format(
-            "{}a hop law is measured in the air of the model {}, which {} has not",
+            "{}a hop law is measured in the air of the model {}, but this scene has the model {}",
             prepared.scene.at("model.name"), Airflow::model_name, prepared.scene.model.name));
     }
     return *air;

@@ -227,7 +227,7 @@ void assign_item(const Key& key, std::size_t index, const toml::node& value, con
         item_at(key, *texts->values, index, value, locate) =
             Assign{key, value, locate}.checked_text(value);
     } else {
-        throw InputError(fmt::format("{}: {} is no list; it takes {}", locate(value.source()),
+        throw InputError(fmt::format("{}: {} is not a list; it takes {}", locate(value.source()),
                                      key.path, accepted_values(key)));
     }
 }

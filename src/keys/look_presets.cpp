@@ -33,10 +33,10 @@ class LookFile {
             }
             const Key* key = table_.find(path);
             if (key == nullptr || key->role != KeyRole::look || path == "look.preset")
-                throw InputError(fmt::format(
-                    "{}: {} is no key of a look; it takes those that `fumon describe scene` lists "
-                    "with the role look, but look.preset",
-                    locate(name.source()), path));
+                throw InputError(
+                    fmt::format("{}: {} is not a key of a look; a look has the keys of role look "
+                                "in `fumon describe scene`, except look.preset",
+                                locate(name.source()), path));
             assign(*key, value, [this](const auto& region) { return locate(region); });
         }
     }

@@ -182,7 +182,7 @@ bool is_picture(std::string_view text) {
 toml::table parse_toml(std::string_view text, const std::string& name, std::string_view remedy) {
     if (is_picture(text)) {
         throw InputError(
-            fmt::format("{}: is a picture; {}; what fumon has drawn, `fumon again {}` makes again",
+            fmt::format("{}: is a picture; {}; `fumon again {}` redraws a picture made by fumon",
                         name, remedy, name));
     }
     const std::size_t deep = NestingScan(text).first_deeper_than(deepest_toml);

@@ -21,7 +21,7 @@ constexpr std::size_t fewest_points = 3;
 
 void check_above_zero(std::span<const double> values, const char* which) {
     if (std::any_of(values.begin(), values.end(), [](double value) { return !(value > 0.0); }))
-        throw Error(fmt::format("the fit takes logarithms, and some {} is not above 0", which));
+        throw Error(fmt::format("the fit takes logarithms, but some {} is not above 0", which));
 }
 
 CurveLaw line_law(std::span<const double> x, std::span<const double> y) {
@@ -70,7 +70,7 @@ CurveLaw cosine_law(std::span<const double> x, std::span<const double> y) {
     for (std::size_t i = 0; i < x.size(); ++i) {
         const double expected = x.front() + static_cast<double>(i) * spacing;
         if (!(std::abs(x[i] - expected) <= evenness * spacing))
-            throw Error("a cosine is fitted to evenly spaced x, and these are not");
+            throw Error("a cosine fit needs evenly spaced x");
     }
     const StressFit fit = fit_stress(y, 1);
     CurveLaw law{

@@ -54,7 +54,7 @@ class Expression::Reader {
             fail(longest_text, fmt::format("a formula has up to {} letters", longest_text));
         sum();
         if (at_ == text_.size()) return;
-        if (next() == ')') fail(at_, "this parenthesis closes none");
+        if (next() == ')') fail(at_, "this closing parenthesis has no opening one");
         fail(at_,
              fmt::format("\"{}\" follows without an operator; write * between factors", rest()));
     }
@@ -145,8 +145,9 @@ class Expression::Reader {
         } else if (is_letter(first)) {
             name();
         } else {
-            fail(at_, fmt::format("\"{}\" stands where a number, a name or a parenthesis should",
-                                  first));
+            fail(at_,
+                 fmt::format("\"{}\" found where a number, a name or a parenthesis is expected",
+                             first));
         }
     }
 
@@ -154,7 +155,7 @@ class Expression::Reader {
         double value = 0.0;
         const char* begin = text_.data() + at_;
         const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
-        if (error != std::errc() || !std::isfinite(value)) fail(at_, "this is no number");
+        if (error != std::errc() || !std::isfinite(value)) fail(at_, "this is not a number");
         at_ += static_cast<std::size_t>(end - begin);
         write(Step::number, value);
     }
@@ -289,8 +290,8 @@ NamedNumber read_named_number(std::string_view text) {
     const bool is_number = error == std::errc() && end == number.data() + number.size() &&
                            !number.empty() && std::isfinite(value);
     if (name.empty() || name_at(name, 0) != name || !is_number) {
-        throw InputError(
-            fmt::format("\"{}\" is no constant; write a name and its number: \"g = 9.81\"", text));
+        throw InputError(fmt::format(
+            "\"{}\" is not a constant; write a name and its number: \"g = 9.81\"", text));
     }
     return {std::string(name), value};
 }

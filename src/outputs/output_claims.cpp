@@ -88,15 +88,15 @@ void check_writable(const fs::path& file) {
 }  // namespace
 
 void refuse_to_replace(const fs::path& file) {
-    throw InputError(fmt::format(
-        "{}: is there already, and nothing says that fumon made it; name another output, or "
-        "--force replaces it",
-        file.string()));
+    throw InputError(
+        fmt::format("{}: already exists and was not made by fumon; name another output, or replace "
+                    "it with --force",
+                    file.string()));
 }
 
 void refuse_to_replace_input(const fs::path& file) {
     throw InputError(
-        fmt::format("{} is read, and would be replaced; write to another file", file.string()));
+        fmt::format("{} is an input and would be replaced; write to another file", file.string()));
 }
 
 void OutputClaims::reads(const fs::path& file) {
@@ -149,7 +149,7 @@ std::string small_ending(const fs::path& file) {
 void check_ending(const fs::path& file, std::string_view what,
                   std::span<const std::string_view> endings) {
     if (is_special(file) || std::ranges::find(endings, small_ending(file)) != endings.end()) return;
-    throw InputError(fmt::format("{}: the name of {} ends in {}", file.string(), what,
+    throw InputError(fmt::format("{}: the name of {} must end in {}", file.string(), what,
                                  fmt::join(endings, ", ")));
 }
 
@@ -175,7 +175,7 @@ void check_output_folder(const fs::path& folder, std::string_view what) {
     }
     if (!fs::is_directory(above, fault)) {
         throw Error(
-            fmt::format("cannot make the folder {}: a file is in the way", folder.string()));
+            fmt::format("cannot make the folder {}: a file of this name exists", folder.string()));
     }
     const int reason = try_to_write_in(above);
     if (reason == 0) return;

@@ -53,7 +53,7 @@ Condition read_condition(const std::string& text, const Table& table) {
         std::find(known.begin(), known.end(), condition.relation) == known.end() ||
         (compares && !condition.is_number)) {
         throw InputError(fmt::format(
-            "\"{}\" is no condition; write column=value, column>=value, column<value …", text));
+            "\"{}\" is not a condition; write column=value, column>=value, column<value …", text));
     }
     return condition;
 }

@@ -238,7 +238,7 @@ HeatAxis axis_of(const AxisCategories& places, const PanelSettings& settings, bo
                  const std::string& label) {
     const bool even = settings.chart.even_cells || places.values.empty();
     if (logarithmic && !places.values.empty() && !(places.values.front() > 0.0))
-        throw InputError("a logarithmic axis lies above 0, and a value does not");
+        throw InputError("a logarithmic axis takes only values above 0");
     HeatAxis axis =
         even ? even_axis(places.names) : value_axis(places.values, places.names, logarithmic);
     axis.label = label;

@@ -60,7 +60,8 @@ std::vector<double> edges_of(const PanelSettings& panel, const std::vector<Sampl
                      panel.x_logarithmic};
     if (bins.logarithmic && !(bins.low > 0.0))
         throw InputError(fmt::format(
-            "bins of a logarithmic axis lie above 0, and a value is {:g}; give bin_low", bins.low));
+            "bins of a logarithmic axis must be above 0, but a value is {:g}; give bin_low",
+            bins.low));
     if (bins.low > bins.high)
         throw InputError(
             fmt::format("all values, {:g} to {:g}, lie outside of the bins", least, greatest));

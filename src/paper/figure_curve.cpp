@@ -109,8 +109,8 @@ std::vector<CurvePoints> curve_points(const CurvePlan& curve, const Table& table
         curves.push_back(std::move(points));
     }
     if (curves.empty()) {
-        throw InputError(
-            fmt::format("no point is of {} runs or more, as least says", settings.least));
+        throw InputError(fmt::format("no point is the mean of {} runs or more, as `least` demands",
+                                     settings.least));
     }
     return curves;
 }

@@ -52,7 +52,7 @@ int report_interrupted(StatusLine& status, const std::vector<RunRecord>& records
         return record.status == RunStatus::done;
     });
     status.note(
-        fmt::format("stopped by {}: {} of {} runs are done; the same command goes on from here",
+        fmt::format("stopped by {}: {} of {} runs are done; the same command continues from here",
                     interrupting_signal() == SIGINT ? "an interrupt" : "a request to terminate",
                     done, records.size()));
     return exit_status_of_signal(interrupting_signal());

@@ -105,13 +105,14 @@ class Assembly {
         const Journal& asking = own == nullptr ? any : *own;
         const double least_letters = asking.least_letters.value_or(*any.least_letters);
         const double least_line = asking.least_lines.value_or(*any.least_lines);
-        static_assert(tick_share == tick_text);
-        const double letters = tick_text * made_.page.font_size;
+        static_assert(tick_share == tick_text_size_em);
+        const double letters = tick_text_size_em * made_.page.font_size;
         if (letters < least_letters) {
             made_.warnings.push_back(fmt::format(
                 "ticks and legends are of {:.2g} points, and journals ask for {:g} or more; "
                 "figure.font_size = {:.2g} does it",
-                letters, least_letters, std::ceil(10.0 * least_letters / tick_text) / 10.0));
+                letters, least_letters,
+                std::ceil(10.0 * least_letters / tick_text_size_em) / 10.0));
         }
         if (made_.page.line_width < least_line) {
             made_.warnings.push_back(fmt::format(

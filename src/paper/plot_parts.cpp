@@ -95,8 +95,9 @@ CurvePoints formula_points(const CurvePlan& curve, const PanelSettings& panel,
         throw InputError(tools.plan.scene.at(curve.path + ".expression") + what);
     };
     if (!(low < high) || !std::isfinite(low) || !std::isfinite(high))
-        refuse("there are no data over which it could be drawn; give x_from and x_to");
-    if (panel.x_logarithmic && !(low > 0.0)) refuse("a logarithmic axis lies above 0; give x_from");
+        refuse("no data set its range; give x_from and x_to");
+    if (panel.x_logarithmic && !(low > 0.0))
+        refuse("a logarithmic axis takes only values above 0; give x_from");
     std::vector<NamedNumber> constants;
     for (const std::string& text : settings.constants) constants.push_back(read_named_number(text));
     const Expression formula(settings.expression, constants);
@@ -114,7 +115,7 @@ CurvePoints formula_points(const CurvePlan& curve, const PanelSettings& panel,
         points.y.push_back(formula.at(points.x.back()));
         any = any || std::isfinite(points.y.back());
     }
-    if (!any) refuse("it has no value anywhere between these x");
+    if (!any) refuse("it has no value in this range of x");
     return points;
 }
 

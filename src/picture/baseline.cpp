@@ -42,12 +42,12 @@ class Reader {
         const std::string stem = file.stem().string();
         if (stem == "." || stem == "..") {
             throw InputError(
-                fmt::format("{}: expected pictures are kept in a folder of this name without its "
-                            "ending, which would be \"{}\"; rename it",
+                fmt::format("{}: expected pictures are stored in a folder of the same name without "
+                            "its ending, here \"{}\"; rename the baseline",
                             name_, stem));
         }
         if (file == baseline_.lock()) {
-            throw InputError(fmt::format("{}: is a lock; name the baseline that it is of", name_));
+            throw InputError(fmt::format("{}: is a lock file; name its baseline", name_));
         }
     }
 
@@ -127,7 +127,8 @@ class Reader {
             const std::string place = locate(key.source());
             if (!good_picture_name(one.name)) {
                 throw InputError(fmt::format(
-                    "{}: an environment is named by letters, digits, \"-\" and \"_\"", place));
+                    "{}: the name of an environment takes letters, digits, \"-\" and \"_\"",
+                    place));
             }
             if (!value.is_table()) {
                 throw InputError(
@@ -140,9 +141,9 @@ class Reader {
             one.list_keys(prefix, table);
             read_known_keys(*value.as_table(), prefix, table, locate_);
             if (one.is_anything()) {
-                throw InputError(
-                    fmt::format("{}: environment.{} may be any; say its mesa, driver or drawer",
-                                place, one.name));
+                throw InputError(fmt::format(
+                    "{}: environment.{} matches any machine; give its mesa, driver or drawer",
+                    place, one.name));
             }
             baseline_.environments.push_back(std::move(one));
         }
@@ -159,7 +160,7 @@ class Reader {
         for (const std::string& name : one.environments) {
             if (find_named(baseline_.environments, name) != nullptr) continue;
             throw InputError(fmt::format(
-                "{}: {}environments names \"{}\", which nothing describes; write [environment.{}] "
+                "{}: {}environments names \"{}\", which has no description; write [environment.{}] "
                 "with its mesa, driver or drawer{}",
                 locate(named->source()), prefix, name, name,
                 known.empty() ? "" : fmt::format(", or name one of {}", fmt::join(known, ", "))));
@@ -178,12 +179,12 @@ class Reader {
     void read_case(BaselineCase& one, const toml::node& value) const {
         const std::string& place = one.place;
         if (!good_picture_name(one.name)) {
-            throw InputError(
-                fmt::format("{}: a case is named by letters, digits, \"-\" and \"_\"", place));
+            throw InputError(fmt::format(
+                "{}: the name of a case takes letters, digits, \"-\" and \"_\"", place));
         }
         if (!value.is_table()) {
             throw InputError(
-                fmt::format("{}: cases.{} is no section; it takes {{scene = \"FILE.toml\", …}}",
+                fmt::format("{}: cases.{} is not a section; it takes {{scene = \"FILE.toml\", …}}",
                             locate(value.source()), one.name));
         }
         const std::vector<std::string> shared = std::move(one.settings);
@@ -216,10 +217,9 @@ class Reader {
     static void refuse_step_of_figure(BaselineCase& one, const toml::table& own) {
         for (const char* key : {"step", "time"}) {
             if (!own.contains(key)) continue;
-            throw InputError(
-                fmt::format("{}: cases.{} is a figure, whose panels say their steps themselves; "
-                            "remove {}",
-                            one.place, one.name, key));
+            throw InputError(fmt::format(
+                "{}: cases.{} is a figure, whose panels have steps of their own; remove {}",
+                one.place, one.name, key));
         }
         one.step = -1;
         one.time = -1.0;
@@ -249,13 +249,13 @@ class Reader {
             const CaseLocation* place = find_named(order_, one.name);
             if (place->line >= first) {
                 throw InputError(
-                    fmt::format("{}: cases.{} stands behind what is recorded; move it up",
+                    fmt::format("{}: cases.{} comes after the recorded values; move it up",
                                 one.place, one.name));
             }
         }
         std::error_code fault;
         if (std::filesystem::exists(baseline_.lock(), fault)) {
-            throw InputError(fmt::format("{}:{}:1: what is recorded stands in {}; remove it here",
+            throw InputError(fmt::format("{}:{}:1: recorded values belong in {}; remove them here",
                                          name_, first, baseline_.lock().string()));
         }
         cut_head(first);

@@ -99,7 +99,7 @@ BaselineRecord read_record(const std::string& name, const toml::node& section,
     const std::string prefix = fmt::format("recorded.{}.", name);
     if (!section.is_table()) {
         throw InputError(
-            fmt::format("{}: recorded.{} is no section; remove it and run `fumon "
+            fmt::format("{}: recorded.{} is not a section; remove it and run `fumon "
                         "verify --update`",
                         locate(section.source()), name));
     }
@@ -158,7 +158,7 @@ BaselineRecords parse_lock(const std::string& text, const std::filesystem::path&
         const std::string name(key.str());
         if (!(owner == LockOwner::verify ? good_record_name(name) : good_picture_name(name))) {
             throw InputError(
-                fmt::format("{}: a picture is named by letters, digits, \"-\" and \"_\"",
+                fmt::format("{}: the name of a picture takes letters, digits, \"-\" and \"_\"",
                             locate(key.source())));
         }
         records[name] = read_record(name, value, locate);

@@ -78,7 +78,7 @@ std::string why_pixels_may_differ(const RenderingEnvironment& there,
     std::vector<std::string> reasons = differences(there, here, with_backend);
     if (reasons.empty() && !there.pinned) {
         reasons.emplace_back(there.backend == "cairo"
-                                 ? "text stands in the fonts of the machine"
+                                 ? "text uses the fonts of the machine"
                                  : "neither is pinned, so that pixels depend on the processor");
     }
     return joined(reasons);
@@ -101,7 +101,7 @@ RenderingEnvironment parse_environment(const std::string& text) {
                 json.value("llvm_version", ""), json.value("pinned", false)};
     } catch (const Json::exception&) {
         throw InputError(
-            fmt::format("no record of a rendering environment: {}", text.substr(0, 60)));
+            fmt::format("not a record of a rendering environment: {}", text.substr(0, 60)));
     }
 }
 

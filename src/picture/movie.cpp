@@ -358,7 +358,7 @@ void Movie::add(const Image& image) {
     Parts& parts = *parts_;
     if (image.transparent() != parts.open())
         return add(parts.open() ? with_alpha(image) : composited_on(image, 255));
-    if (parts.failed || parts.finished) parts.fail("it is closed already");
+    if (parts.failed || parts.finished) parts.fail("it is already closed");
     if (image.width != parts.width || image.height != parts.height)
         parts.fail(fmt::format("a frame has {} × {} pixels, the movie {} × {}", image.width,
                                image.height, parts.width, parts.height));

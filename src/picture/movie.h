@@ -62,7 +62,7 @@ std::string movie_encoder();
 bool is_movie(const std::filesystem::path& file);
 
 /// The texts of a movie's metadata, in its order, as Movie::finish writes them; of any other movie
-/// none. Throws InputError when it is no MP4 movie or is damaged.
+/// none. Throws InputError when it is not an MP4 movie or is damaged.
 PictureText read_movie_texts(const std::filesystem::path& file);
 
 }  // namespace fumon

@@ -33,8 +33,8 @@ std::uint32_t number_at(std::string_view bytes, std::size_t at) {
 }
 
 [[noreturn]] void refuse(const std::string& movie, const char* why) {
-    throw InputError(
-        fmt::format("{}: is no MP4 movie or is damaged ({}); take an untouched copy", movie, why));
+    throw InputError(fmt::format(
+        "{}: is not an MP4 movie or is damaged ({}); take an untouched copy", movie, why));
 }
 
 struct Box {
@@ -52,7 +52,7 @@ class Boxes {
         if (bytes_.size() < box_head) refuse(movie_, "its metadata are cut short");
         const std::size_t size = number_at(bytes_, 0);
         if (size < box_head || size > bytes_.size())
-            refuse(movie_, "the sizes of its metadata do not fit each other");
+            refuse(movie_, "the sizes of its metadata are inconsistent");
         const Box box{bytes_.substr(word, word), bytes_.substr(box_head, size - box_head)};
         bytes_.remove_prefix(size);
         return box;
@@ -130,10 +130,10 @@ std::string read_moov(const std::filesystem::path& file) {
         if (short_length == 0) length = size - at;  // to the end
         const std::size_t head_size = is_long ? long_head : box_head;
         if (length < head_size || length > size - at)
-            refuse(movie, "it is cut short, or its sizes do not fit each other");
+            refuse(movie, "it is cut short, or its sizes are inconsistent");
         if (head.substr(word, word) == "moov") {
             constexpr std::uint64_t largest = std::uint64_t{1} << 28U;  // bytes: a day's frames
-            if (length > largest) refuse(movie, "its head is too large");
+            if (length > largest) refuse(movie, "its header is too large");
             std::string content(length - head_size, '\0');
             stream.seekg(static_cast<std::streamoff>(at + head_size));
             stream.read(content.data(), static_cast<std::streamsize>(content.size()));
@@ -143,7 +143,7 @@ std::string read_moov(const std::filesystem::path& file) {
         }
         at += length;
     }
-    refuse(movie, "it has no head");
+    refuse(movie, "it has no header");
 }
 
 }  // namespace

@@ -81,7 +81,8 @@ std::vector<png_text> text_chunks(const PictureText& texts) {
         check_keyword(keyword);
         if (text.find('\0') != std::string::npos)
             throw Error(fmt::format(
-                "the text of '{}' cannot stand in a PNG file: it holds a zero byte", keyword));
+                "the text of '{}' cannot be written to a PNG file: it contains a zero byte",
+                keyword));
         png_text chunk{};
         chunk.compression = PNG_ITXT_COMPRESSION_NONE;
         chunk.key = const_cast<char*>(keyword.c_str());  // libpng copies, and changes neither

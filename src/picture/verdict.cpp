@@ -64,9 +64,8 @@ Verdict judge(const BaselineCase& one, const BaselineRecord* recorded,
                 "nothing is recorded; look at the picture, then `fumon verify --update`"};
     }
     if (one.picture && expected == nullptr) {
-        return {
-            Outcome::missing,
-            "its expected picture is not there; look at this one, then `fumon verify --update`"};
+        return {Outcome::missing,
+                "its expected picture is missing; check this one, then `fumon verify --update`"};
     }
     const Fingerprint& before = recorded->fingerprint;
     const Fingerprint& after = present.fingerprint;

@@ -46,7 +46,7 @@ Bed bed_of(const GridArray& heights, const std::optional<MaskArray>& nodata) {
     Bed bed{grid_of(heights), nodata ? mask_of(*nodata) : Mask()};
     if (!bed.nodata.empty() &&
         (bed.nodata.nx() != bed.heights.nx() || bed.nodata.ny() != bed.heights.ny()))
-        throw InputError("the mask has another shape than the heights");
+        throw InputError("the mask differs in shape from the heights");
     for (std::size_t cell = 0; cell < bed.nodata.size(); ++cell) {
         if (bed.nodata.values()[cell] != 0) bed.heights.values()[cell] = 0.0;
     }
@@ -74,7 +74,7 @@ class BedPainter {
         if (!bed) return drawer_->draw(drawer_->first(), {});
         const Snapshot& first = *drawer_->first();
         if (bed->heights.nx() != first.bed.nx() || bed->heights.ny() != first.bed.ny())
-            throw InputError("the heights have another shape than the first ones");
+            throw InputError("the heights differ in shape from the first ones");
         Snapshot snapshot = first;
         snapshot.bed = std::move(bed->heights);
         snapshot.nodata = std::move(bed->nodata);

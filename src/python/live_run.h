@@ -14,7 +14,7 @@
 namespace fumon::python {
 
 /// A run between two steps, for Python to keep: its snapshot, what was measured of it and what
-/// draws it. It stays as it is when the run goes on.
+/// draws it. It stays as it is when the run continues.
 struct Step {
     SharedSnapshot snapshot;
     std::vector<MeasureColumn> columns;  ///< none where the run measures nothing

@@ -39,7 +39,7 @@ std::string wkt_of(const std::string& crs) {
     if (crs.empty() || crs.find('[') != std::string::npos) return crs;
     if (!has_gdal()) {
         throw InputError(
-            fmt::format("to know the reference system \"{}\" fumon {}", crs, missing_gdal()));
+            fmt::format("to read the reference system \"{}\", fumon {}", crs, missing_gdal()));
     }
     const SpatialReference system(crs);
     if (!system.understood())

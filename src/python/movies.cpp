@@ -26,7 +26,8 @@ const MovieFormat& format_of(const fs::path& file) {
         if (endings.find(format.ending) == std::string::npos)
             endings += (endings.empty() ? "" : ", ") + std::string(format.ending);
     }
-    throw InputError(fmt::format("{}: a movie's name ends in one of {}", file.string(), endings));
+    throw InputError(
+        fmt::format("{}: the name of a movie must end in one of {}", file.string(), endings));
 }
 
 /// A movie that is written frame by frame; its format is that of its ending. A GIF waits for all

@@ -35,8 +35,8 @@ IgnoredPixels ignored_of(const ImageArray& image,
     for (const auto& [x, y, width, height] : boxes) {
         if (x < 0 || y < 0 || width < 1 || height < 1) {
             throw InputError(
-                fmt::format("ignore: ({}, {}, {}, {}) is no box of pixels (x, y, width, height)", x,
-                            y, width, height));
+                fmt::format("ignore: ({}, {}, {}, {}) is not a box of pixels (x, y, width, height)",
+                            x, y, width, height));
         }
         rules.boxes.push_back({x, y, width, height});
     }

@@ -62,7 +62,7 @@ py::array_t<std::uint8_t> palette_array(const std::string& name) {
 py::dict projection_of(const Scene& scene, const Snapshot& first, const Snapshot& snapshot) {
     const View& view = scene.view;
     if (view.look.mode == ViewMode::figure && first.section)
-        throw InputError("the flat figure of a section shows no places of the ground");
+        throw InputError("the flat figure of a section shows no positions on the ground");
     const std::optional<Snapshot> coarse_first = shown_snapshot(first, view);
     const std::optional<Snapshot> coarse = shown_snapshot(snapshot, view);
     const Snapshot& framing = coarse_first ? *coarse_first : first;

@@ -71,7 +71,7 @@ py::object SceneValue::get(const std::string& path) const {
     const KeyTable table = scene_keys(copy);
     if (const Key* key = table.find(path)) return std::visit(AsPython{}, key->target);
     const std::string nearest = nearest_name(path, keys());
-    throw py::key_error(path + (nearest.empty() ? " is no key of this scene"
+    throw py::key_error(path + (nearest.empty() ? " is not a key of this scene"
                                                 : "; did you mean \"" + nearest + "\"?"));
 }
 

@@ -112,7 +112,7 @@ FrameRecord FrameListReader::next() {
         if (bytes_.bad()) refuse_to_read(file_, EIO);
         if (reason_ != 0 && reason_ != ENOENT) refuse_to_read(file_, reason_);
         throw InputError(
-            fmt::format("{}: the list of the run's frames ends after {}; bring it back, or run the "
+            fmt::format("{}: the list of the run's frames ends after {}; restore it, or run the "
                         "scene from its start with --force",
                         file_.string(), frames_));
     }

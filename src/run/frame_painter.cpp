@@ -164,8 +164,8 @@ void check_layers(const Scene& scene, const Snapshot& first) {
     const View& view = scene.view;
     if (first.section && view.look.mode == ViewMode::figure) {
         throw KeyError("look.mode",
-                       "the flat figure of a section has no light that OpenEXR could hold; "
-                       "look.mode = \"scenic\" has, and PNG takes both");
+                       "the flat figure of a section cannot be written as OpenEXR; write look.mode "
+                       "= \"scenic\", or PNG");
     }
     constexpr double gibibyte = 1 << 30;
     constexpr double most = 16.0;   // GiB

@@ -106,8 +106,8 @@ Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameReco
     Image image = read_png(file);
     if (pixel_hash(image) == frame.pixels) return image;
     throw Error(
-        fmt::format("{}: its pixels are not those that the run wrote, so the movie cannot "
-                    "be begun again; bring the old file back",
+        fmt::format("{}: its pixels are not those that the run wrote, so the movie cannot be "
+                    "started again; restore the old file",
                     file.string()));
 }
 

@@ -65,8 +65,8 @@ std::int64_t parse_step(const std::string& text, const std::string& picture) {
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), step);
     if (fault != std::errc{} || end != text.data() + text.size() || step < 0) {
         throw InputError(
-            fmt::format("{}: its {} text \"{}\" is no step number; take an untouched copy", picture,
-                        step_keyword, text));
+            fmt::format("{}: its {} text \"{}\" is not a step number; take an untouched copy",
+                        picture, step_keyword, text));
     }
     return step;
 }
@@ -120,10 +120,10 @@ PictureOrigin read_origin(const std::filesystem::path& picture) {
             picture.extension() == ".toml"
                 ? fmt::format("; `fumon run {} -o DIR` runs a scene", picture.string())
                 : "";
-        throw InputError(
-            fmt::format("{}: is no picture; fumon again takes a PNG, JPEG, WebP, OpenEXR, MP4, PDF "
-                        "or SVG that fumon made{}",
-                        picture.string(), what));
+        throw InputError(fmt::format(
+            "{}: is not a picture; fumon again takes a PNG, JPEG, WebP, OpenEXR, MP4, PDF "
+            "or SVG that fumon made{}",
+            picture.string(), what));
     }
     for (auto& [keyword, text] : movie   ? read_movie_texts(picture)
                                  : light ? read_exr_texts(picture)
@@ -137,10 +137,10 @@ PictureOrigin read_origin(const std::filesystem::path& picture) {
     }
     for (const char* keyword : {scene_keyword, step_keyword, inputs_keyword}) {
         if (!texts.contains(keyword)) {
-            throw InputError(fmt::format(
-                "{}: carries no {} text; fumon again takes a picture that fumon made and no "
-                "other program has rewritten",
-                picture.string(), keyword));
+            throw InputError(
+                fmt::format("{}: has no {} text; fumon again takes a picture that fumon made and "
+                            "that no other program has rewritten",
+                            picture.string(), keyword));
         }
     }
     PictureOrigin origin;

@@ -146,15 +146,15 @@ void read_edge_tables(Scene& scene) {
         const std::string place = scene.at(path("table"));
         const bool from_here = scene.set_on_command_line(path("table"));
         if (!scene.trusted && !from_here) {
-            throw InputError(place +
-                             "a scene that others named reads no tables; name the scene's "
-                             "file itself");
+            throw InputError(
+                place +
+                "a scene of unknown origin may not read tables; name the scene's file directly");
         }
         const auto list_of = [&](const char* key) {
             return std::get<RealListTarget>(keys.find(path(key))->target).values;
         };
         if (!list_of("times")->empty())
-            throw InputError(place + "the table says the times; leave edge.times out");
+            throw InputError(place + "the table has the times; leave edge.times out");
         const std::filesystem::path named(written);
         try {
             read_edge_table(named.is_absolute() || from_here ? named : scene.directory / named,
@@ -200,8 +200,7 @@ void check_ground(const Scene& scene, const InitialBed& initial) {
     const bool of_file = bed_kind(scene) == BedKind::file;
     const std::string place = scene.at(of_file ? "bed.file" : "bed.kind");
     const bool may_report = !of_file || may_report_bed(scene);
-    throw InputError(place +
-                     (may_report ? "the bed: " + fault : "the bed has heights that no ground has"));
+    throw InputError(place + (may_report ? "the bed: " + fault : "the bed has impossible heights"));
 }
 
 /// One line on a palette that colours nothing, or empty. Resolved scenes list all keys.

@@ -39,7 +39,7 @@ void check_program(const RunCheckpoint& checkpoint, const std::string& file) {
         now = fmt::format("from sources {}", short_sources(this_build()));
     }
     throw InputError(
-        fmt::format("{}: was written by fumon {}, this is {}; go on with that one, or run the "
+        fmt::format("{}: was written by fumon {}, this is {}; resume with that version, or run the "
                     "scene from its start with --force",
                     file, then, now));
 }
@@ -50,7 +50,7 @@ void check_scene(const Scene& now, const RunCheckpoint& checkpoint, const std::s
     const std::string differs = scene_difference(scene_json(then), scene_json(now));
     if (differs.empty()) return;
     throw InputError(fmt::format(
-        "{}: cannot go on with it: {}; resume without a scene and --set, or name another folder",
+        "{}: cannot be continued: {}; resume without a scene and --set, or name another folder",
         file, differs));
 }
 
@@ -61,8 +61,7 @@ void check_inputs(const std::vector<InputFile>& now, const RunCheckpoint& checkp
         same = now[i].hash == checkpoint.inputs[i].hash;
     if (same) return;
     throw InputError(fmt::format(
-        "{}: cannot go on with it: the files that the scene reads are no longer those of the run",
-        file));
+        "{}: cannot be continued: the scene's input files have changed since the run began", file));
 }
 
 /// What is restored of a model: refuses numbers that no run has computed, before anything goes on
@@ -95,7 +94,7 @@ class FiniteState : public StateArchive {
     void check(std::string_view name, std::span<const double> values) const {
         for (const double value : values) {
             if (std::abs(value) <= largest_field_value) continue;
-            refuse(fmt::format("its {} has a value of {:g}, which no run computes", name, value));
+            refuse(fmt::format("its {} has a value of {:g}, which is impossible", name, value));
         }
     }
 
@@ -141,7 +140,7 @@ class LeftOutputs {
     void finish() const {
         if (first_.empty()) return;
         throw InputError(fmt::format(
-            "{}{}; bring it back as it was, or run the scene from its start with --force", first_,
+            "{}{}; restore it as it was, or run the scene from its start with --force", first_,
             others_ == 0 ? ""
                          : fmt::format(" (and {} more {})", others_,
                                        others_ == 1 ? "file differs" : "files differ")));
@@ -155,9 +154,9 @@ class LeftOutputs {
     void check_whole(const fs::path& file, const Sha256& hash) {
         std::error_code fault;
         if (!fs::exists(file, fault)) {
-            note(file, "is not there");
+            note(file, "does not exist");
         } else if (!fs::is_regular_file(file, fault)) {
-            note(file, "is no file");
+            note(file, "is not a file");
         } else if (file_hash(file) != hash) {
             note(file, "has changed since it was written");
         }
@@ -218,9 +217,9 @@ ResumedRun resume_run(const RunFolder& folder, const std::string& asked,
     FiniteState state(*resumed.rest);
     run.model->serialise(state);
     if (run.model->steps_done() != checkpoint.step)
-        resumed.rest->refuse("its model stands at another step");
+        resumed.rest->refuse("its model is at a different step");
     if (const std::string fault = beyond_ground(run.model->snapshot()); !fault.empty())
-        resumed.rest->refuse("its state is none of a run: " + fault);
+        resumed.rest->refuse("its state is invalid: " + fault);
     return resumed;
 }
 

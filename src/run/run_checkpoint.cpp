@@ -17,7 +17,7 @@ namespace {
 void serialise_hash(const std::string& name, Sha256& hash, StateArchive& archive) {
     std::string bytes(hash.begin(), hash.end());
     archive.text(name, bytes);
-    if (bytes.size() != hash.size()) archive.refuse(fmt::format("its {} is no SHA-256", name));
+    if (bytes.size() != hash.size()) archive.refuse(fmt::format("its {} is not a SHA-256", name));
     std::copy(bytes.begin(), bytes.end(), hash.begin());
 }
 
@@ -97,7 +97,7 @@ void Checkpointer::before_step(Model& model, bool interrupted) {
         write(model);
         last_ = model.steps_done();
     } catch (const Error& fault) {
-        report_(fmt::format("no checkpoint of step {}: {}; the run goes on", model.steps_done(),
+        report_(fmt::format("no checkpoint of step {}: {}; the run continues", model.steps_done(),
                             fault.what()));
     }
 }

@@ -42,7 +42,7 @@ void make_folder(const fs::path& folder) {
     fs::create_directories(folder, fault);
     if (fault || !fs::is_directory(folder)) {
         throw Error(fmt::format("cannot make the folder {}: {}", folder.string(),
-                                fault ? fault.message() : "a file is in the way"));
+                                fault ? fault.message() : "a file of this name exists"));
     }
 }
 
@@ -87,8 +87,8 @@ void RunFolder::refuse_previous_run() const {
     if (force_ || !fs::exists(manifest(), fault)) return;
     if (listed_files(manifest()).files.empty()) refuse_to_replace(manifest());
     throw InputError(fmt::format(
-        "{} already holds a run; name another folder, or --force replaces it{}", folder_.string(),
-        fs::exists(checkpoint(), fault) ? ", and --resume goes on with it" : ""));
+        "{} already holds a run; name another folder, or replace it with --force{}",
+        folder_.string(), fs::exists(checkpoint(), fault) ? ", or continue it with --resume" : ""));
 }
 
 void RunFolder::create(const RunParts& parts) {
@@ -126,15 +126,15 @@ void RunFolder::make_parts(const RunParts& parts) const {
 void RunFolder::enter() {
     std::error_code fault;
     if (!fs::exists(manifest(), fault)) {
-        throw InputError(fmt::format("{} holds no run to go on with; start one with -o {}",
+        throw InputError(fmt::format("{} holds no run to resume; start one with -o {}",
                                      folder_.string(), folder_.string()));
     }
     lock_.emplace(folder_);
     if (is_complete() || fs::exists(checkpoint(), fault)) return;
-    throw InputError(fmt::format(
-        "{}: is not there: the run was stopped before its first checkpoint, or the file "
-        "was taken away; run the scene from its start with --force",
-        checkpoint().string()));
+    throw InputError(
+        fmt::format("{}: does not exist: the run was stopped before its first checkpoint, or the "
+                    "file was removed; run the scene from its start with --force",
+                    checkpoint().string()));
 }
 
 bool RunFolder::is_complete() const {

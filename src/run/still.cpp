@@ -161,7 +161,7 @@ void check_pixels(const ImageSettings& image, PictureFormat format) {
     const bool jpeg = format == PictureFormat::jpeg;
     if (jpeg && image.lossless) {
         throw KeyError("image.lossless",
-                       "JPEG cannot do without loss; write a WebP or PNG, or set image.lossless = "
+                       "JPEG is always lossy; write a WebP or PNG, or set image.lossless = "
                        "false");
     }
     const std::int64_t longest = jpeg ? longest_jpeg_side : longest_webp_side;
@@ -205,7 +205,7 @@ DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const 
     const PictureFormat format = picture_format(file);
     write_bytes(file, pixel_file(scene, drawing, format, text));
     if (format == PictureFormat::jpeg && drawing.image.transparent())
-        progress.note("JPEG has no alpha: what can be seen through stands on white");
+        progress.note("JPEG has no alpha: transparent parts become white");
     if (file != standard_output) write_map_files(scene, snapshot, drawing.image, file);
     if (drawing.record.exaggeration != 1.0)
         progress.note(fmt::format("vertical exaggeration {:g}", drawing.record.exaggeration));

@@ -61,7 +61,9 @@ void check_raster_keys(const Scene& scene, bool from_file, const Refuse& refuse)
                            bed.window.size(), bed.window.size() == 1 ? "" : "s"));
     }
     if (bed.window.size() == 4 && !(bed.window[0] < bed.window[2] && bed.window[1] < bed.window[3]))
-        refuse("bed.window", "bed.window must rise both ways; write [west, south, east, north]");
+        refuse(
+            "bed.window",
+            "bed.window must have west < east and south < north; write [west, south, east, north]");
 }
 
 void check_bed_formats(const Scene& scene, Faults& faults) {
@@ -144,9 +146,9 @@ void check_frames(const Scene& scene, Faults& faults) {
         (frames.every > 0 ? 1 : 0) + (frames.at.empty() ? 0 : 1) + (frames.logarithmic > 0 ? 1 : 0);
     if (ways > 1) {
         const char* second = frames.logarithmic > 0 ? "frames.logarithmic" : "frames.at";
-        refuse(
-            second,
-            "two ways to choose frames; keep one of frames.every, frames.at, frames.logarithmic");
+        refuse(second,
+               "frames are chosen more than once; keep one of frames.every, frames.at, "
+               "frames.logarithmic");
     }
     const auto within_run = [&](const std::vector<std::int64_t>& steps, const std::string& key) {
         const auto late = std::find_if(steps.begin(), steps.end(),
@@ -183,17 +185,19 @@ void check_camera(const Scene& scene, Faults& faults) {
         const auto check_alone = [&](const char* key, const std::vector<double>& place) {
             // Resolved scenes list all keys.
             if (place.empty()) return;
-            refuse(key, fmt::format("{} and camera.framing both say where the camera stands; "
-                                    "take one of them",
-                                    key));
+            refuse(
+                key,
+                fmt::format(
+                    "{} and camera.framing both set the camera's position; keep one of them", key));
         };
         check_alone("camera.at", camera.at);
         check_alone("camera.look_at", camera.look_at);
     }
     if (!camera.focal_length.is_word() && written(scene, "camera.field_of_view") &&
         camera.field_of_view != CameraSettings{}.field_of_view)
-        refuse("camera.focal_length",
-               "camera.focal_length and camera.field_of_view say the same; take one of them");
+        refuse(
+            "camera.focal_length",
+            "camera.focal_length and camera.field_of_view set the same quantity; keep one of them");
     if (scene.view.look.ground != Ground::endless) return;
     if (scene.view.look.background == Background::transparent)
         refuse("look.background",
@@ -229,8 +233,7 @@ void check_lens(const Scene& scene, Faults& faults) {
     const char* lens = camera.f_number.is_word() ? "camera.aperture" : "camera.f_number";
     if (!camera.f_number.is_word() && camera.aperture > 0.0)
         refuse("camera.aperture",
-               "camera.f_number and camera.aperture both say how wide the lens is; take one of "
-               "them");
+               "camera.f_number and camera.aperture set the same quantity; keep one of them");
     if (camera.projection != Projection::perspective)
         refuse(lens, fmt::format("{} belongs to camera.projection = \"perspective\"", lens));
     if (scene.view.look.mode != ViewMode::scenic)
@@ -265,8 +268,8 @@ void check_streamers(const Scene& scene, Faults& faults) {
         refuse(key, "streamers.strength is for the perspective camera (camera.projection)");
     if (view.look.background == Background::transparent)
         refuse(key,
-               "streamers.strength takes look.background = \"surroundings\": what is seen "
-               "through blown sand cannot be left out");
+               "streamers.strength takes look.background = \"surroundings\": blown sand needs a "
+               "background to be seen against");
 }
 
 void check_clouds(const Scene& scene, Faults& faults) {
@@ -274,9 +277,10 @@ void check_clouds(const Scene& scene, Faults& faults) {
     const View& view = scene.view;
     if (view.air.clouds == Clouds::none) return;
     if (view.look.sky == SkyModel::two_colours || view.look.sky == SkyModel::overcast)
-        refuse("air.clouds", "air.clouds hang in look.sky = \"atmosphere\" or \"auto\" only");
+        refuse("air.clouds", "air.clouds need look.sky = \"atmosphere\" or \"auto\"");
     if (view.air.clouds == Clouds::cumulus && view.air.planet != Planet::earth)
-        refuse("air.clouds", "air.clouds = \"cumulus\" are the Earth's; thin air has \"cirrus\"");
+        refuse("air.clouds",
+               "air.clouds = \"cumulus\" need the Earth's air; thin air takes \"cirrus\"");
 }
 
 void check_length(const Scene& scene, Faults& faults) {
@@ -284,7 +288,7 @@ void check_length(const Scene& scene, Faults& faults) {
     if (find_model(scene.model.name)->landform == Landform::terrain || written(scene, "run.steps"))
         return;
     refuse("run.steps",
-           "run.steps is missing; say how long to run, for example [run] steps = 1000");
+           "run.steps is missing; set the length of the run, for example [run] steps = 1000");
 }
 
 /// Some rules, and the sections that they read.

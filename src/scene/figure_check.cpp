@@ -33,7 +33,7 @@ class FigureCheck {
             const std::string path = fmt::format("figure.panel.{}", p);
             if (p == 0 && panels[p].inset != InsetCorner::none)
                 refuse(path + ".inset",
-                       "an inset stands in the panel before it; this is the first");
+                       "an inset lies in the panel before it, but this is the first panel");
             check_place(panels[p], path);
             check_keys_of_kind(panels[p], path);
             check_labels(panels[p], path);
@@ -80,7 +80,7 @@ class FigureCheck {
                        fmt::format("unknown format \"{}\"; {}", format, suggestion(format, known)));
             }
             if (!seen.insert(format).second)
-                refuse("figure.formats", fmt::format("\"{}\" is there twice", format));
+                refuse("figure.formats", fmt::format("\"{}\" occurs twice", format));
         }
     }
 
@@ -95,13 +95,13 @@ class FigureCheck {
         if ((panel.row > 0) != (panel.column > 0)) {
             const std::string missing = panel.row > 0 ? ".column" : ".row";
             refuse(path + (panel.row > 0 ? ".row" : ".column"),
-                   fmt::format("a place in the grid has a row and a column; give {}{} too", path,
-                               missing));
+                   fmt::format("a position in the grid needs a row and a column; also give {}{}",
+                               path, missing));
         }
         if (panel.inset != InsetCorner::none &&
             (panel.row > 0 || panel.rows > 1 || panel.columns > 1)) {
             refuse(path + ".inset",
-                   "an inset has no place in the grid; drop row, column, rows and columns");
+                   "an inset has no position in the grid; drop row, column, rows and columns");
         }
     }
 
@@ -267,7 +267,7 @@ class FigureCheck {
         const std::string dot = axis.empty() ? path + "." : path + "." + axis + "_";
         const auto above_zero = [&](const WordOrReal& end, const char* name) {
             if (logarithmic && !end.is_word() && end.value <= 0.0)
-                refuse(dot + name, "a logarithmic axis lies above 0");
+                refuse(dot + name, "a logarithmic axis takes only values above 0");
         };
         above_zero(low, "low");
         above_zero(high, "high");
@@ -294,9 +294,9 @@ class FigureCheck {
                    "a file has no runs; drop scene, set, over and seeds, or table = \"file\"");
         }
         if (curve.spread != CurveSpread::none && !curve.average)
-            refuse(path + ".spread", "is of what is averaged; write average = true");
+            refuse(path + ".spread", "needs averages; write average = true");
         if (curve.least > 1 && !curve.average)
-            refuse(path + ".least", "counts what is averaged; write average = true");
+            refuse(path + ".least", "needs averages; write average = true");
         if (curve.fit == CurveFit::none && !(curve.fit_low.is_word() && curve.fit_high.is_word()))
             refuse(path + (curve.fit_low.is_word() ? ".fit_high" : ".fit_low"),
                    "there is no fit; write fit = \"line\" or another");
@@ -305,7 +305,7 @@ class FigureCheck {
         const bool scaled_y = curve.scale_y != 1.0 && panel.y_label.empty();
         if (scaled_x || scaled_y) {
             refuse(path + (scaled_x ? ".scale_x" : ".scale_y"),
-                   fmt::format("the column's unit holds no more; name the quantity and its new "
+                   fmt::format("the column's unit no longer applies; name the quantity and its new "
                                "unit with the panel's {}_label",
                                scaled_x ? "x" : "y"));
         }
@@ -313,15 +313,15 @@ class FigureCheck {
 
     void check_box(const PanelSettings& panel, const RangeBoxSettings& box,
                    const std::string& path) const {
-        if (box.label.empty()) refuse(path + ".label", "is missing; say what lies in this range");
+        if (box.label.empty()) refuse(path + ".label", "is missing; name what lies in this range");
         if (box.source.empty())
             refuse(path + ".source", "is missing; name author and year, or leave the box out");
         if (!(box.x_low < box.x_high)) refuse(path + ".x_high", "must be above x_low");
         if (!(box.y_low < box.y_high)) refuse(path + ".y_high", "must be above y_low");
         if (panel.x_logarithmic && box.x_low <= 0.0)
-            refuse(path + ".x_low", "a logarithmic axis lies above 0");
+            refuse(path + ".x_low", "a logarithmic axis takes only values above 0");
         if (panel.y_logarithmic && box.y_low <= 0.0)
-            refuse(path + ".y_low", "a logarithmic axis lies above 0");
+            refuse(path + ".y_low", "a logarithmic axis takes only values above 0");
     }
 
     void check_picture(const PanelSettings& panel, const std::string& path) const {

@@ -92,7 +92,7 @@ WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
         if (!scale.in_metres) scale = {home.cell_size, home.cell_size, 1.0, true};
         if (!scene.grid.height_unit.is_word() && scene.grid.height_unit.value != 1.0) {
             throw InputError(fmt::format(
-                "{}grid.height_unit is {}, but {} lives in metres; leave the key out",
+                "{}grid.height_unit is {}, but {} works in metres; leave the key out",
                 scene.at("grid.height_unit"), scene.grid.height_unit.value, scene.model.name));
         }
     } else if (!scene.grid.height_unit.is_word()) {
@@ -123,10 +123,8 @@ void take_out_nodata_value(const Scene& scene, Terrain& terrain) {
 /// One line on cells whose size nobody said, in a model that lives in metres; or empty.
 std::string guessed_cells(const Scene& scene, const Terrain& terrain, const WorldScale& scale) {
     if (!scale.in_metres || terrain.dx > 0.0 || !scene.grid.cell_size.empty()) return {};
-    return fmt::format(
-        "{} does not say how large its cells are: they are taken for {:g} m (grid.cell_size "
-        "says otherwise)",
-        is_memory_bed(scene.bed.file) ? memory_bed_title : "the file", scale.dx);
+    return fmt::format("{} has no cell size: {:g} m is assumed (override with grid.cell_size)",
+                       is_memory_bed(scene.bed.file) ? memory_bed_title : "the file", scale.dx);
 }
 
 void apply_nodata_rule(const Scene& scene, Terrain& terrain) {
@@ -190,10 +188,8 @@ void resample(const Scene& scene, Terrain& terrain, WorldScale& scale) {
     if (size == 0.0) return;
     const std::string key = scene.at("bed.resample") + "bed.resample";
     if (!scale.in_metres) {
-        throw InputError(
-            fmt::format("{} is {} m, but {} does not say how large its cells are; write their size "
-                        "as grid.cell_size",
-                        key, size, bed_title(scene)));
+        throw InputError(fmt::format("{} is {} m, but {} has no cell size; write grid.cell_size",
+                                     key, size, bed_title(scene)));
     }
     const double cells =
         static_cast<double>(terrain.heights.size()) * (scale.dx / size) * (scale.dy / size);
@@ -217,14 +213,13 @@ void check_listed(const Scene& scene, const std::filesystem::path& file) {
     if (std::ranges::any_of(hashes, [&](const auto& hash) { return has_grid_hash(file, hash); }))
         return;
     throw InputError(fmt::format(
-        "{}{} is not one of the files whose SHA-256 the metadata lists, or is not there as it was",
+        "{}{} is not one of the files whose SHA-256 the metadata lists, is missing, or has changed",
         scene.at("bed.file"), file.string()));
 }
 
 InputError no_bed_in(const Scene& scene, const std::filesystem::path& file) {
     return InputError(
-        fmt::format("{}{} is not there or is no bed that can be read; --trust says "
-                    "which",
+        fmt::format("{}{} does not exist or is not a readable bed; --trust gives details",
                     scene.at("bed.file"), file.string()));
 }
 
@@ -275,7 +270,7 @@ std::string smooth_terraces(const Scene& scene, Terrain& terrain) {
             *step);
     }
     if (!step)
-        return "heights are no multiples of a step: bed.smooth_terraces leaves them as they are";
+        return "heights are not multiples of a step: bed.smooth_terraces leaves them unchanged";
     const bool has_cells = terrain.dx > 0.0 && terrain.dy > 0.0;
     terrain.heights = without_terraces(terrain, *step, has_cells ? terrain.dx : 1.0,
                                        has_cells ? terrain.dy : 1.0);
@@ -296,9 +291,9 @@ Terrain memory_terrain(const Scene& scene) {
          {"bed.height_sign", bed.height_sign != HeightSign::automatic}}};
     for (const auto& [key, is_given] : given) {
         if (!is_given) continue;
-        throw InputError(fmt::format(
-            "{}{} says how a file is read, and the bed is an array; give the array as it is to be",
-            scene.at(key), key));
+        throw InputError(
+            fmt::format("{}{} applies to files, but the bed is an array; prepare the array itself",
+                        scene.at(key), key));
     }
     try {
         return find_memory_bed(scene.bed.file)->terrain();
@@ -315,13 +310,13 @@ Terrain terrain_of_file(const Scene& scene, const std::filesystem::path& file) {
     if (!std::filesystem::exists(file, fault) && !may_report_bed(scene))
         throw no_bed_in(scene, file);
     if (!std::filesystem::exists(file, fault) && !scene.locations.contains("bed.file")) {
-        throw InputError(fmt::format("{}: is not there; check the path", file.string()));
+        throw InputError(fmt::format("{}: does not exist; check the path", file.string()));
     }
     if (!std::filesystem::exists(file, fault)) {
-        throw InputError(
-            fmt::format("{}bed.file \"{}\" is not there (looked for {}); paths are relative to {}",
-                        scene.at("bed.file"), scene.bed.file, file.string(),
-                        named_from_here(scene) ? "the working folder" : "the scene file"));
+        throw InputError(fmt::format(
+            "{}bed.file \"{}\" does not exist (looked for {}); paths are relative to {}",
+            scene.at("bed.file"), scene.bed.file, file.string(),
+            named_from_here(scene) ? "the working folder" : "the scene file"));
     }
     return read_bed_file(scene, file);
 }

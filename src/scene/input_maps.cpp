@@ -66,16 +66,17 @@ Terrain read_map(const Scene& scene, const KeyTable& keys, std::size_t number,
                             return has_grid_hash(file, hash);
                         });
     if (!listed || (!mine && !scene.bed_hashes)) {
-        throw InputError(fmt::format(
-            "{}{} is not one of the files whose SHA-256 the metadata lists, or is not there as it "
-            "was",
-            scene.at(key), file.string()));
+        throw InputError(
+            fmt::format("{}{} is not one of the files whose SHA-256 the metadata lists, is "
+                        "missing, or has changed",
+                        scene.at(key), file.string()));
     }
     check_trust(scene, key, file);
     std::error_code fault;
     if (!fs::exists(file, fault) && mine) {
-        throw InputError(fmt::format("{}{} \"{}\" is not there (looked for {})", scene.at(key), key,
-                                     value_of<std::string>(keys, number, "file"), file.string()));
+        throw InputError(fmt::format("{}{} \"{}\" does not exist (looked for {})", scene.at(key),
+                                     key, value_of<std::string>(keys, number, "file"),
+                                     file.string()));
     }
     TerrainQuery query;
     query.variable = value_of<std::string>(keys, number, "variable");
@@ -90,7 +91,7 @@ Terrain read_map(const Scene& scene, const KeyTable& keys, std::size_t number,
     } catch (const InputError& refusal) {
         if (!mine)
             throw InputError(
-                fmt::format("{}{} is no grid that can be read", scene.at(key), file.string()));
+                fmt::format("{}{} is not a readable grid", scene.at(key), file.string()));
         throw InputError(scene.at(key) + of_map(refusal.what(), number));
     }
 }

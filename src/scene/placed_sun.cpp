@@ -62,17 +62,16 @@ std::string either_given(const Scene& scene, const std::string& one, const std::
 bool check_place_and_time(const Scene& scene, const SunFaults& refuse) {
     const SunSettings& sun = scene.view.sun;
     if (sun.place.empty() && sun.time.empty()) {
-        if (sun.hours != 0.0)
-            refuse("sun.hours", "sun.hours takes sun.place and sun.time, from which it counts");
+        if (sun.hours != 0.0) refuse("sun.hours", "sun.hours needs sun.place and sun.time");
         return false;
     }
     if (sun.time.empty()) {
-        refuse("sun.place", "sun.place takes sun.time too: when the sun is looked at");
+        refuse("sun.place", "sun.place needs sun.time, the time of the observation");
         return false;
     }
     if (sun.place.empty()) {
         refuse("sun.time",
-               "sun.time takes sun.place too: where it is looked at, [latitude, longitude]");
+               "sun.time needs sun.place, the [latitude, longitude] of the observation");
         return false;
     }
     if (sun.place.size() != 2) {
@@ -81,7 +80,7 @@ bool check_place_and_time(const Scene& scene, const SunFaults& refuse) {
     }
     if (std::abs(sun.place[0]) > 90.0) {
         refuse("sun.place", fmt::format("sun.place has the latitude {}; it takes [latitude, "
-                                        "longitude], of which the first is -90 … 90",
+                                        "longitude] with a latitude of -90 … 90",
                                         sun.place[0]));
         return false;
     }
@@ -103,19 +102,19 @@ void check_contradictions(const Scene& scene, const SunFaults& refuse) {
     const auto check_alone = [&](const char* key, double off) {
         if (!scene.locations.contains(key) || std::abs(off) <= nearly_there) return;
         if (placed_later && !scene.set_on_command_line(key)) return;
-        refuse(key, fmt::format("{} and sun.place both say where the sun stands; take one of them "
-                                "(sun.place = [] and sun.time = \"\" give up the latter)",
+        refuse(key, fmt::format("{} and sun.place both set the sun's position; keep one of them "
+                                "(sun.place = [] and sun.time = \"\" clear the latter)",
                                 key));
     };
     check_alone("sun.azimuth", turned(there.azimuth, sun.azimuth));
     check_alone("sun.elevation", sun.elevation - there.elevation);
     if (sun.source == LightSource::moon)
         refuse("sun.source",
-               "sun.source = \"moon\" stands where sun.azimuth and sun.elevation "
-               "say; sun.place and sun.time are the sun's");
+               "sun.source = \"moon\" takes sun.azimuth and sun.elevation; sun.place and sun.time "
+               "are for the sun only");
     if (scene.view.air.planet != Planet::earth)
         refuse("air.planet",
-               "sun.place and sun.time are the Earth's; elsewhere take sun.azimuth "
+               "sun.place and sun.time are for the Earth only; elsewhere take sun.azimuth "
                "and sun.elevation");
 }
 
@@ -148,8 +147,8 @@ void check_sun(const Scene& scene, Faults& faults) {
     if (!low) return;
     if (*low == 0.0) {
         refuse(either_given(scene, "sun.time", "sun.place"),
-               fmt::format("at sun.place and sun.time the sun stands {}; it takes {:.0f} degree "
-                           "or more",
+               fmt::format("at sun.place and sun.time the sun stands {}; it must stand at least "
+                           "{:.0f} degree high",
                            height_text(place_after(sun, 0.0).elevation), lowest_sun));
     } else {
         refuse("sun.hours", fmt::format("sun.hours is {}, but after {:.2f} hours the sun is below "

@@ -33,14 +33,15 @@ std::string fill_placeholders(const std::string& text, const PlaceholderValues& 
         }
         const std::size_t end = letter == '{' ? text.find('}', i) : std::string::npos;
         if (end == std::string::npos) {
-            throw InputError(fmt::format(
-                "\"{}\" has a brace alone; write {{name}} for a value, {{{{ or }}}} for a brace",
-                text));
+            throw InputError(
+                fmt::format("\"{}\" has an unmatched brace; write {{name}} for a value, {{{{ or "
+                            "}}}} for a brace",
+                            text));
         }
         const std::string name = text.substr(i + 1, end - i - 1);
         const auto value = values(name);
         if (!value) {
-            throw InputError(fmt::format("{{{}}} stands for nothing here; {}", name, hint));
+            throw InputError(fmt::format("{{{}}} is not a placeholder here; {}", name, hint));
         }
         filled += *value;
         i = end;

@@ -192,7 +192,7 @@ class Reader {
 
     static void check_size(const TableList& list, std::size_t size, const std::string& place) {
         if (size <= most_tables) return;
-        throw InputError(fmt::format("{}: [[{}]] stands more than {} times", place,
+        throw InputError(fmt::format("{}: [[{}]] occurs more than {} times", place,
                                      without_numbers(list.path), most_tables));
     }
 
@@ -248,7 +248,7 @@ class Reader {
 
     void read_value(const Key& key, const toml::node& value, const std::string& place) {
         if (value.is_table()) {
-            throw InputError(fmt::format("{}: {} is no section; it takes {}", place, key.path,
+            throw InputError(fmt::format("{}: {} is not a section; it takes {}", place, key.path,
                                          accepted_values(key)));
         }
         if (is_earlier_version(version_, key.notes.earlier.until) &&

@@ -79,10 +79,9 @@ bool is_section(const KeyTable& table, const std::string& path) {
 void refuse_unknown_key(const std::string& path, const std::string& place, const KeyTable& table,
                         const std::string& model) {
     if (table.find_list(path) != nullptr) {
-        throw InputError(
-            fmt::format("{}: {} is a list of sections; write [[{}]] and its keys "
-                        "below, as often as there are",
-                        place, path, without_numbers(path)));
+        throw InputError(fmt::format(
+            "{}: {} is a list of sections; write [[{}]] and its keys below, once for each", place,
+            path, without_numbers(path)));
     }
     if (is_section(table, path)) {
         throw InputError(

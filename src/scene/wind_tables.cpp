@@ -80,9 +80,10 @@ std::string path_of(std::size_t number, const char* key) {
 std::filesystem::path file_of(const Scene& scene, const std::string& key,
                               const std::string& written) {
     if (!scene.trusted && !scene.set_on_command_line(key)) {
-        throw InputError(fmt::format(
-            "{}{}: a scene that others named reads no table of winds; name the scene's file itself",
-            scene.at(key), key));
+        throw InputError(
+            fmt::format("{}{}: a scene of unknown origin may not read a table of winds; name the "
+                        "scene's file directly",
+                        scene.at(key), key));
     }
     const std::filesystem::path file(written);
     return file.is_absolute() || scene.set_on_command_line(key) ? file : scene.directory / file;
@@ -206,7 +207,7 @@ void read_wind_tables(Scene& scene) {
             if (table.fluxes.empty() && strength * wind.sand / (flux * wind.share) > strongest)
                 throw InputError(fmt::format(
                     "{}{}: the wind from {:g} degrees moves {:.4g} m2 a year while it blows, more "
-                    "than a hundred times model.flux = {:g}; raise that",
+                    "than a hundred times model.flux = {:g}; raise model.flux",
                     scene.at(key), key, wind.from, wind.sand / wind.share, flux));
             list.real(n, "from") = wind.from;
             list.real(n, "duration") = duration * wind.share;

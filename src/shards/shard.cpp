@@ -51,10 +51,10 @@ Shard slurm_shard(const Environment& environment) {
     const int last =
         whole(environment, "SLURM_ARRAY_TASK_MAX").value_or(first + (*count - 1) * step);
     if ((last - first) / step + 1 != *count || (*task - first) % step != 0) {
-        throw InputError(fmt::format(
-            "--shard slurm: the array's {} tasks from {} to {} have gaps, so that it does "
-            "not say how many shards there are; name the shard, as --shard {}/16",
-            *count, first, last, *task));
+        throw InputError(
+            fmt::format("--shard slurm: the array's {} tasks from {} to {} have gaps, so the "
+                        "number of shards is unknown; name the shard, as --shard {}/16",
+                        *count, first, last, *task));
     }
     return checked({(*task - first) / step + 1, *count}, "--shard slurm");
 }

@@ -113,9 +113,10 @@ class AxisReader {
         const auto count =
             parts.size() == 3 ? number_in<std::int64_t>(parts[2]) : std::optional<std::int64_t>{};
         if (!count || *count < 1 || *count > most_runs) {
-            refuse(start_, fmt::format("\"{}\" is no range; low:high:count takes a count of 1 … {},"
-                                       " for example 0:1:11",
-                                       values, most_runs));
+            refuse(start_,
+                   fmt::format("\"{}\" is not a range; low:high:count takes a count of 1 … {},"
+                               " for example 0:1:11",
+                               values, most_runs));
         }
         if (*count == 1 && *low != *high) {
             refuse(start_, fmt::format("\"{}\" has two ends but one value; both ends belong to a "

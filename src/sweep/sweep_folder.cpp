@@ -125,7 +125,7 @@ void SweepFolder::refuse_while_runs_are_made() const {
         if (number_of_run(entry.path().filename().string()) < 0) continue;
         if (FileLock(entry.path()).held()) continue;  // left by a program that was killed
         throw InputError(
-            fmt::format("another fumon is at work in {}; wait for it or name another folder",
+            fmt::format("another fumon is working in {}; wait for it or name another folder",
                         folder_.string()));
     }
 }
@@ -135,7 +135,7 @@ void SweepFolder::number_runs() {
     if (!fs::exists(manifest())) return;
     PreviousSweep previous = previous_sweep(read_input_file(manifest()), plan_);
     if (!previous.differs.empty()) {
-        throw InputError(fmt::format("{} {}; name another folder, or --force replaces it",
+        throw InputError(fmt::format("{} {}; name another folder, or replace it with --force",
                                      folder_.string(), previous.differs));
     }
     order_ = std::move(previous.order);

@@ -110,10 +110,9 @@ void note_inputs(SweepPlan& plan, const InitialBed& initial) {
 
 void check_outputs(SweepPlan& plan, const Scene& scene) {
     if (!scene.output.measurements) {
-        throw InputError(
-            fmt::format("{}output.measurements is false, but a sweep is what it measures; leave it "
-                        "true",
-                        scene.at("output.measurements")));
+        throw InputError(fmt::format(
+            "{}output.measurements is false, but a sweep needs measurements; leave it true",
+            scene.at("output.measurements")));
     }
     if (bed_schedule(scene).count() > 0) {
         note_once(plan,

@@ -20,7 +20,7 @@ class MeasurementReader {
   public:
     explicit MeasurementReader(const std::filesystem::path& file)
         : file_(file), stream_(file, std::ios::binary) {
-        if (!std::getline(stream_, header_)) fail("it has no header line");
+        if (!std::getline(stream_, header_)) fail("it has no headerer line");
     }
 
     [[nodiscard]] const std::string& header() const { return header_; }

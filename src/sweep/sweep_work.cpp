@@ -24,7 +24,7 @@ Attempt do_run(const SweepPlan& plan, const SweepFolder& folder, std::size_t num
     const Stopwatch watch;
     PreparedRun prepared = prepare_run(scene_of(plan, run), threads);
     if (run_id(prepared.scene, prepared.initial) != run.id)
-        throw Error("a file that it reads has changed since the sweep began");
+        throw Error("one of its input files has changed since the sweep began");
     Recorder recorder(
         prepared.scene, prepared.model->snapshot(),
         {folder.paths(number), resolved_scene(prepared.scene, prepared.initial.inputs)});

@@ -31,9 +31,9 @@ Accepted find_accepted(const VerificationOptions& options, const std::vector<Sui
     VerificationOptions asked;
     asked.names = {name};
     const std::vector<ChosenCase> chosen = chosen_cases(asked, suites);
-    if (chosen.empty()) throw InputError(fmt::format("no case is called \"{}\"", name));
+    if (chosen.empty()) throw InputError(fmt::format("no case is named \"{}\"", name));
     if (chosen.size() > 1) {
-        throw InputError(fmt::format("several cases are called \"{}\"; name one baseline, or {}/{}",
+        throw InputError(fmt::format("several cases are named \"{}\"; name one baseline, or {}/{}",
                                      name, suites[chosen.front().suite].name, name));
     }
     const Baseline& baseline = suites[chosen.front().suite].baseline;

@@ -101,7 +101,7 @@ CaseResult result_of(const std::vector<std::uint8_t>& message) {
         }
         return result;
     } catch (const std::exception& fault) {
-        throw Error(std::string("what the process that drew it says is no result: ") +
+        throw Error(std::string("the process that drew it returned no valid result: ") +
                     fault.what());
     }
 }

@@ -53,7 +53,7 @@ std::vector<ChosenCase> chosen_cases(const VerificationOptions& options,
                                const BaselineCase& one) {
         return chooses(pattern, suite.name, one.name);
     };
-    refuse_unknown(options.names, suites, "no case is called", is_called);
+    refuse_unknown(options.names, suites, "no case is named", is_called);
     refuse_unknown(options.patterns, suites, "no case has a name like", by_pattern);
     const auto is_meant = [&](const Suite& suite, const BaselineCase& one) {
         const auto named = [&](const std::string& name) { return is_called(name, suite, one); };

@@ -26,8 +26,8 @@ void check_mask(const std::filesystem::path& folder, const std::string& mask,
     }
     if (good) return;
     throw InputError(fmt::format(
-        "ignore_mask: {} is no PNG of {} x {} pixels, as the picture; --trust says more", mask,
-        picture.width, picture.height));
+        "ignore_mask: {} is not a PNG of {} x {} pixels like the picture; --trust gives details",
+        mask, picture.width, picture.height));
 }
 
 std::vector<PixelBox> boxes_of(const BaselineCase& one,
@@ -39,10 +39,8 @@ std::vector<PixelBox> boxes_of(const BaselineCase& one,
             if (place.kind == kind) boxes.push_back(place.box);
         }
         if (boxes.size() == before) {
-            throw InputError(
-                fmt::format("ignore: no overlay \"{}\" stands on its picture; leave "
-                            "it out, or name a box",
-                            kind));
+            throw InputError(fmt::format(
+                "ignore: its picture has no overlay \"{}\"; leave it out, or name a box", kind));
         }
     }
     return boxes;

@@ -41,12 +41,13 @@ std::string record_to_write(const Baseline& baseline, const BaselineCase& one,
     const NamedEnvironment* known = baseline.environment_of(one, here);
     if (known == nullptr) {
         if (!of_this_environment) return one.name;
-        throw InputError(fmt::format(
-            "{}: cases.{} names no environment that is this one ({}{}, drawn by {}); describe it "
-            "in an [environment.NAME] and add NAME to `environments`",
-            one.place, one.name, here.renderer,
-            here.mesa_version.empty() ? "" : ", Mesa " + here.mesa_version,
-            drawn_by_software(here) ? "software" : "a GPU"));
+        throw InputError(
+            fmt::format("{}: cases.{} names no environment that matches this one ({}{}, drawn by "
+                        "{}); describe it "
+                        "in an [environment.NAME] and add NAME to `environments`",
+                        one.place, one.name, here.renderer,
+                        here.mesa_version.empty() ? "" : ", Mesa " + here.mesa_version,
+                        drawn_by_software(here) ? "software" : "a GPU"));
     }
     const std::string name = record_name(one.name, known->name);
     return of_this_environment || find(baseline, name) != nullptr ? name : one.name;

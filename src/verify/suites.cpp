@@ -35,8 +35,8 @@ void add_orphans(Baseline& baseline) {
         BaselineCase one;
         one.name = name;
         one.fault = fmt::format(
-            "{}: recorded.{} belongs to no case; bring its case back, or let `fumon verify "
-            "--update` remove what is recorded",
+            "{}: recorded.{} belongs to no case; restore its case, or remove the record with "
+            "`fumon verify --update`",
             recorded_in(baseline).string(), name);
         baseline.cases.push_back(std::move(one));
     }
@@ -58,8 +58,8 @@ std::vector<Suite> read_suites(const VerificationOptions& options) {
         if (!options.update) add_orphans(suite.baseline);
         if (suite.baseline.unlocked && !options.update && !options.quietly()) {
             fmt::print(stderr,
-                       "{}: what is recorded stands in the baseline, as before version 0.2; "
-                       "`fumon verify --update` moves it into {}\n",
+                       "{}: recorded values are in the baseline, as before version 0.2; `fumon "
+                       "verify --update` moves them into {}\n",
                        file, suite.baseline.lock().string());
         }
         suites.push_back(std::move(suite));

@@ -78,8 +78,8 @@ auto located(const BaselineCase& one, bool trusted, const Work& work) {
         if (!trusted) std::erase_if(lines, [](const auto& line) { return !may_be_reported(line); });
         if (lines.empty()) {
             lines.push_back(
-                fmt::format("{} is not there or is not sound; `fumon check` with its path, or "
-                            "--trust here, says more",
+                fmt::format("{} does not exist or is invalid; `fumon check` with its path, or "
+                            "--trust here, gives details",
                             one.scene));
         }
         throw placed(place, InputError(std::move(lines)));
@@ -185,10 +185,10 @@ std::optional<Image> recorded_picture(const Baseline& baseline, const BaselineCa
     Image image = read_png(file);
     if (ignored.hash() != record.ignored) return image;  // judge() says so
     if (hash_without(image, ignored) != record.fingerprint.pixels) {
-        throw InputError(fmt::format(
-            "{}: is not the picture that {} recorded for {}; bring it back, or accept a "
-            "new one with `fumon verify --update`",
-            file.string(), baseline.lock().string(), name));
+        throw InputError(
+            fmt::format("{}: is not the picture that {} recorded for {}; restore it, or accept a "
+                        "new one with `fumon verify --update`",
+                        file.string(), baseline.lock().string(), name));
     }
     return image;
 }

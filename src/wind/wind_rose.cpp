@@ -37,8 +37,8 @@ std::vector<double> shares(const TextSource& source, const Table& table) {
         return column.name == "frequency" || column.name == "percent" || column.name == "hours";
     });
     if (given > 1)
-        throw InputError(
-            fmt::format("{}: frequency, percent and hours say the same; keep one", source.name));
+        throw InputError(fmt::format(
+            "{}: frequency, percent and hours give the same quantity; keep one", source.name));
     std::vector<double> values(table.rows(), 1.0);
     double whole = static_cast<double>(table.rows());
     if (const TableColumn* frequency = table.find("frequency")) {
@@ -57,8 +57,8 @@ std::vector<double> shares(const TextSource& source, const Table& table) {
     for (double& value : values) sum += value /= whole;
     if (sum > 1.0 + rounding_of_shares)
         throw InputError(
-            fmt::format("{}: the winds blow for {:.1f} % of the time; they can for at "
-                        "most 100 % (hours may be given instead)",
+            fmt::format("{}: the winds blow for {:.1f} % of the time, which is more than 100 % "
+                        "(hours may be given instead)",
                         source.name, 100.0 * sum));
     return values;
 }
@@ -90,10 +90,10 @@ WindTable read_wind_table(const TextSource& source) {
             fmt::format("{}: a table with flux has no column beside direction", source.name));
     if (in_knots && table.find("speed") != nullptr)
         throw InputError(
-            fmt::format("{}: speed and speed_knots say the same; keep one", source.name));
+            fmt::format("{}: speed and speed_knots give the same quantity; keep one", source.name));
     if (of_friction && (in_knots || table.find("speed") != nullptr))
         throw InputError(
-            fmt::format("{}: a speed and a friction_velocity say the same; keep one", source.name));
+            fmt::format("{}: speed and friction_velocity give the same quantity; keep one", source.name));
     WindTable read;
     if (flux != nullptr) {
         const std::vector<double>& amounts = numbers_of(source, table, *flux, 0.0, largest_number);

@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
             "you may read"},
         Wrong{"missing_terrain",
               {"still", "no.asc", "-o", "x.png"},
-              "no.asc: is not there; check the path"},
+              "no.asc: does not exist; check the path"},
         Wrong{"unknown_model",
               {"describe", "sant"},
               "fumon describe: \"sant\" is neither \"scene\", \"figure\", \"overlay\", a model, a "
@@ -176,16 +176,16 @@ TEST(CommandLine, PicturesAndScenesAreToldApart) {
         fumon({"still", "scene.toml", "--step", "0", "-o", "a.png", "-q"}, folder.path()).status,
         0);
     for (const char* command : {"run", "figure"}) {
-        EXPECT_EQ(
-            fumon({command, "a.png", "-o", "out"}, folder.path()).errors,
-            "a.png: is a picture; a scene is TOML: [section] lines and key = value lines; what "
-            "fumon has drawn, `fumon again a.png` makes again\n");
+        EXPECT_EQ(fumon({command, "a.png", "-o", "out"}, folder.path()).errors,
+                  "a.png: is a picture; a scene is TOML: [section] lines and key = value lines; "
+                  "`fumon again a.png` redraws a picture made by fumon\n");
     }
-    EXPECT_EQ(fumon({"again", "scene.toml"}, folder.path()).errors,
-              "scene.toml: is no picture; fumon again takes a PNG, JPEG, WebP, OpenEXR, MP4, PDF "
-              "or SVG that "
-              "fumon made; "
-              "`fumon run scene.toml -o DIR` runs a scene\n");
+    EXPECT_EQ(
+        fumon({"again", "scene.toml"}, folder.path()).errors,
+        "scene.toml: is not a picture; fumon again takes a PNG, JPEG, WebP, OpenEXR, MP4, PDF "
+        "or SVG that "
+        "fumon made; "
+        "`fumon run scene.toml -o DIR` runs a scene\n");
 }
 
 TEST(CommandLine, AShippedSceneIsFoundByItsNameFromAnywhere) {

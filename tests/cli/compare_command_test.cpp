@@ -137,9 +137,9 @@ TEST_F(Pictures, BoxesAndMasksAreLeftOut) {
         return ended.errors;
     };
     EXPECT_EQ(refused({"--ignore", "0,0,101,21"}),
-              "31.3 % of the picture would be ignored, more than 30 %; leave out less\n");
+              "31.3 % of the picture would be ignored, more than 30 %; ignore less\n");
     EXPECT_TRUE(refused({"--ignore", "0,0,3"})
-                    .starts_with("fumon compare: --ignore: \"0,0,3\" is no box; "));
+                    .starts_with("fumon compare: --ignore: \"0,0,3\" is not a box; "));
     EXPECT_TRUE(
         refused({"--ignore-mask", "c.png"}).starts_with("c.png: is a mask of 101 x 68 pixels"));
     EXPECT_TRUE(refused({"--ignore-mask", "no.png"}).starts_with("no.png: "));

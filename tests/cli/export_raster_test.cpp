@@ -130,16 +130,16 @@ TEST_F(ExportRaster, WhatIsNotThereIsRefused) {
         return ended.errors;
     };
     const std::string list = "there are height, slope, aspect, hillshade, drainage, wetness\n";
-    EXPECT_EQ(errors("x.asc", "slop"), "dem.asc: --field: \"slop\" is no field; " + list);
+    EXPECT_EQ(errors("x.asc", "slop"), "dem.asc: --field: \"slop\" is not a field; " + list);
     EXPECT_EQ(errors("x.nc", "speed"), "dem.asc: --field: \"speed\" is not in it; " + list);
     EXPECT_EQ(errors("x.stl", "slope"),
               "--field slope: a field is written as a grid: .tif, .cog.tif, .asc or .nc, not as "
               "stl\n");
-    EXPECT_EQ(write("dem.asc", "x.asc", "slope", {"--step", "0"}).errors,
-              "--step 0: dem.asc has one moment; --step goes with a run's folder or its "
-              "fields.nc\n");
+    EXPECT_EQ(
+        write("dem.asc", "x.asc", "slope", {"--step", "0"}).errors,
+        "--step 0: dem.asc has a single record; --step takes a run's folder or its fields.nc\n");
     EXPECT_EQ(fumon({"export", "dem.asc", "-o", "x.pvd", "--step", "0"}, folder_.path()).errors,
-              "--step: a .pvd is a series of all records; name a .vts\n");
+              "--step: a .pvd holds all records; name a .vts for one of them\n");
 }
 
 TEST_F(ExportRaster, TheHelpListsThem) {

@@ -139,7 +139,7 @@ TEST_F(HabitsTest, ScenesAndTerrainComeOnStandardInput) {
     EXPECT_NE(measured.find("bed_volume"), std::string::npos) << measured;
     EXPECT_EQ(spoken("hill.asc", "measure - --open"), measured);
     EXPECT_NE(spoken("hill.asc", "measure - --json").find("\"file\": \"-\""), std::string::npos);
-    EXPECT_NE(spoken("scene.toml", "measure -").find("begins like no file of terrain"),
+    EXPECT_NE(spoken("scene.toml", "measure -").find("is not terrain of a known format"),
               std::string::npos);
 }
 

@@ -230,7 +230,7 @@ TEST(Measure, WrongUsageIsOneLine) {
         EXPECT_EQ(ended.output, "");
         return ended.errors;
     };
-    EXPECT_EQ(refused({"none.asc"}), "none.asc: is not there; check the path\n");
+    EXPECT_EQ(refused({"none.asc"}), "none.asc: does not exist; check the path\n");
     EXPECT_EQ(refused({"bed.asc", "--as", "profile"}),
               "--as profile: bed.asc has 8 rows; a profile has one\n");
     EXPECT_EQ(refused({"bed.asc", "--as", "pile", "--drop", "40", "2"}),

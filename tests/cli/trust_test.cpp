@@ -67,21 +67,19 @@ TEST_F(Trust, NothingTellsWhatIsThere) {
     EXPECT_EQ(changed, message("none.asc")) << "not there";
     EXPECT_EQ(changed, message(".")) << "a folder";
     EXPECT_EQ(changed, message("/proc/self/mem")) << "it cannot be read";
-    EXPECT_EQ(
-        changed,
-        "picture.png: FILE as it was when the picture was made (SHA-256 0123456789ab…) is not "
-        "there; bring it back or beside the picture, or run this in the folder from which the path "
-        "leads to it; to start from another file, give it with --set bed.file=FILE\n");
+    EXPECT_EQ(changed,
+              "picture.png: FILE as it was when the picture was made (SHA-256 0123456789ab…) is "
+              "missing; restore it, copy it beside the picture, or work in the folder to which the "
+              "path is relative; to start from another file, give it with --set bed.file=FILE\n");
 }
 
 TEST_F(Trust, NothingOfAFileIsPrinted) {
     write_text(folder_ / "secret.asc", "the first line\n");
     const std::string hash = hex(file_hash(folder_ / "secret.asc"));
     forge(of_bed("secret.asc"), R"([{"path": "secret.asc", "sha256": ")" + hash + R"("}])");
-    EXPECT_EQ(
-        refusal(),
-        "picture.png:4:8: secret.asc is not there or is no bed that can be read; --trust says "
-        "which\n");
+    EXPECT_EQ(refusal(),
+              "picture.png:4:8: secret.asc does not exist or is not a readable bed; --trust gives "
+              "details\n");
     EXPECT_NE(refusal({"--trust"}).find("secret.asc:1: "), std::string::npos);
 }
 
@@ -221,8 +219,8 @@ TEST_F(Trust, ABaselineTellsNothingOfTheFilesThatItNames) {
     const Ended wrong = fumon({"verify", "b.toml"}, folder_.path());
     EXPECT_EQ(wrong.status, 2);
     EXPECT_TRUE(wrong.output.starts_with(
-        "WRONG    b a: b.toml:2:1: cases.a: secret is not there or is not sound; `fumon check` "
-        "with its path, or --trust here, says more\n"))
+        "WRONG    b a: b.toml:2:1: cases.a: secret does not exist or is invalid; `fumon check` "
+        "with its path, or --trust here, gives details\n"))
         << wrong.output;
     fs::remove(folder_ / "secret");
     EXPECT_EQ(fumon({"verify", "b.toml"}, folder_.path()).output, wrong.output);
@@ -245,8 +243,8 @@ TEST_F(Trust, ABaselineKeepsItsPicturesBesideItself) {
     const Ended ended = fumon({"verify", "--update", "in/...toml"}, folder_.path());
     EXPECT_EQ(ended.status, 2);
     EXPECT_EQ(ended.output,
-              "WRONG    .. baseline: in/...toml: expected pictures are kept in a folder of this "
-              "name without its ending, which would be \"..\"; rename it\n");
+              "WRONG    .. baseline: in/...toml: expected pictures are stored in a folder of the "
+              "same name without its ending, here \"..\"; rename the baseline\n");
     EXPECT_FALSE(fs::exists(folder_ / "a.png"));
 }
 

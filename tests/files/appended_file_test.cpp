@@ -42,9 +42,9 @@ TEST(AppendedFile, RefusesABeginningThatIsNotTheFormerOneAndLeavesIt) {
     const auto expect_refusal = [&](const std::string& why) {
         EXPECT_EQ(difference(folder / "a.csv", beginning), why);
         EXPECT_EQ(message_of<InputError>([&] { AppendedFile(folder / "a.csv", beginning); }),
-                  (folder / "a.csv").string() + ": cannot go on with it: it " + why);
+                  (folder / "a.csv").string() + ": cannot be continued: it " + why);
     };
-    expect_refusal("is not there");
+    expect_refusal("does not exist");
     for (const char* text : {"1\n3\n", "0\n2\n and more"}) {
         folder.file("a.csv", text);
         expect_refusal("has changed since it was written");
@@ -54,7 +54,7 @@ TEST(AppendedFile, RefusesABeginningThatIsNotTheFormerOneAndLeavesIt) {
     expect_refusal("has 2 bytes of 4");
     std::filesystem::remove(folder / "a.csv");
     std::filesystem::create_directory(folder / "a.csv");
-    expect_refusal("is no file");
+    expect_refusal("is not a file");
     EXPECT_EQ(folder.entries(), 1);
 }
 

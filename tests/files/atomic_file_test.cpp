@@ -138,7 +138,7 @@ TEST(AtomicFile, OneThatGoesOnIsKeptAndRefusedWhereItIsTooShort) {
     EXPECT_EQ(bytes_of(folder / "a.csv.part"), "1\n");
     EXPECT_NE(message_of<InputError>([&] {
                   AtomicFile(folder / "a.csv", 3);
-              }).find("a.csv.part: cannot go on with it: it has 2 bytes of 3"),
+              }).find("a.csv.part: cannot be continued: it has 2 bytes of 3"),
               std::string::npos);
     EXPECT_NE(message_of<InputError>([&] {
                   AtomicFile(folder / "b.csv", 0);

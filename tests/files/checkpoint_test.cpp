@@ -108,19 +108,19 @@ TEST(Checkpoint, TheRefusalSaysWhatIsWrong) {
     const std::string remedy =
         "; take an untouched copy of it, or run the scene from its start with --force";
     EXPECT_EQ(checkpoint_refusal("[model]\nname = \"sand\"\n"),
-              "c: is no checkpoint of fumon" + remedy);
-    EXPECT_EQ(checkpoint_refusal(""), "c: is no checkpoint of fumon" + remedy);
+              "c: is not a checkpoint of fumon" + remedy);
+    EXPECT_EQ(checkpoint_refusal(""), "c: is not a checkpoint of fumon" + remedy);
     EXPECT_EQ(checkpoint_refusal(whole.substr(0, 20)), "c: is cut short" + remedy);
     EXPECT_EQ(checkpoint_refusal(whole.substr(0, whole.size() - 1)),
               "c: is cut short or damaged" + remedy);
     std::string other = whole;
     other[checkpoint_magic.size()] = 9;
-    EXPECT_EQ(checkpoint_refusal(other),
-              "c: has format 9, and this fumon reads format 3; go on with the fumon that wrote it");
+    EXPECT_EQ(
+        checkpoint_refusal(other),
+        "c: has format 9, but this fumon reads format 3; resume with the version that wrote it");
     other = whole;
     other[40] = static_cast<char>(other[40] ^ 1);
-    EXPECT_EQ(checkpoint_refusal(other),
-              "c: is damaged: its SHA-256 is not the one it carries" + remedy);
+    EXPECT_EQ(checkpoint_refusal(other), "c: is damaged: its SHA-256 does not match" + remedy);
     EXPECT_NE(
         message_of<InputError>([&] { open_checkpoint(folder / "none"); }).find("cannot be read"),
         std::string::npos);
@@ -151,13 +151,14 @@ TEST(Checkpoint, WhatIsAskedForMustBeThere) {
     EXPECT_NE(ask([&](CheckpointReader& c) {
                   c.text("scene", text);
                   c.finish();
-              }).find("holds more"),
+              }).find("has unexpected data"),
               std::string::npos);
     Contents shorter;
     shorter.field.resize(3);
-    EXPECT_NE(
-        ask([&](CheckpointReader& c) { shorter.serialise(c); }).find("its field has another size"),
-        std::string::npos);
+    EXPECT_NE(ask([&](CheckpointReader& c) {
+                  shorter.serialise(c);
+              }).find("its field has a different size"),
+              std::string::npos);
     EXPECT_NE(ask([&](CheckpointReader& c) {
                   Contents contents;
                   contents.serialise(c);

@@ -64,17 +64,18 @@ TEST(CsvTable, SaysWhatIsWrong) {
     };
     EXPECT_EQ(refusal("\n# nothing\n"),
               "points.csv:2: there is no header line; begin with the columns' names");
-    EXPECT_EQ(refusal("x,x\n"), "points.csv:1: column 'x' is there twice; rename one");
+    EXPECT_EQ(refusal("x,x\n"), "points.csv:1: column 'x' occurs twice; rename one");
     EXPECT_EQ(refusal("x,y\n1,2\n1\n"), "points.csv:3: 1 cell; the header has 2 columns");
     EXPECT_EQ(refusal("x\n1,5\n"),
               "points.csv:2: 2 cells; the header has 1 column; decimal commas take semicolons or "
               "tabs between cells");
     EXPECT_EQ(refusal("x;y\n1;2;3\n"), "points.csv:2: 3 cells; the header has 2 columns");
     EXPECT_EQ(refusal("x;y\n1,5;2\n1.5;2\n"),
-              "points.csv:3: numbers have decimal commas and decimal points; write one of them");
+              "points.csv:3: numbers mix decimal commas and decimal points; write one of them");
     EXPECT_EQ(refusal("\xFF\xFEx\n"), "points.csv:1: the text is UTF-16; save it as UTF-8");
     EXPECT_EQ(refusal("\n\xFE\xFF\n"), "points.csv:2: the text is UTF-16; save it as UTF-8");
-    EXPECT_EQ(refusal("x\n\"1\n"), "points.csv:2: a quote has no end; close it");
+    EXPECT_EQ(refusal("x\n\"1\n"),
+              "points.csv:2: a quoted cell is not closed; write its closing quote");
 }
 
 /// Two columns, t and q, with 0 to 10 s and 0 to 2.5.

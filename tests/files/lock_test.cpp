@@ -36,7 +36,7 @@ TEST(Lock, OneHolderAtATime) {
     const TemporaryFolder folder;
     std::optional<FolderLock> lock(folder.path());
     EXPECT_EQ(message_of<InputError>([&] { FolderLock(folder.path()); }),
-              "another fumon is at work in " + folder.path().string() +
+              "another fumon is working in " + folder.path().string() +
                   "; wait for it or name another folder");
     lock.reset();
     EXPECT_EQ(message_of<InputError>([&] { FolderLock(folder.path()); }), "");

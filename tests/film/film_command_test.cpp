@@ -150,7 +150,7 @@ TEST_F(FilmCommandTest, ADraftHasLessOfItsGroundRefined) {
 
 TEST_F(FilmCommandTest, SaysWhatIsMissingAndWritesNothing) {
     EXPECT_EQ(film({"--set", "shot.0.from=1e4"}).errors,
-              "--set 1: shot.0.from = 10000: beds are stored of steps 0 to 20\n");
+              "--set 1: shot.0.from = 10000: the stored beds have steps 0 to 20\n");
     write_text(folder_ / "film.toml", "[[shot]]\nsecond = 1\n");
     const Ended wrong = film({});
     EXPECT_EQ(wrong.status, 2);
@@ -237,7 +237,7 @@ TEST_F(FilmCommandTest, OneThatWasStoppedGoesOnAndHasTheSameBytes) {
     const Ended refused = fumon(arguments("g.mp4", "--resume"), folder_.path());
     EXPECT_EQ(refused.status, 2);
     EXPECT_TRUE(refused.errors.ends_with(
-        "g.mp4.frames: is there already and holds no frames of a film; move it away\n"))
+        "g.mp4.frames: already exists and holds no frames of a film; move it away\n"))
         << refused.errors;
 }
 

@@ -87,8 +87,9 @@ TEST(FollowDune, KeepsTheDuneInTheMiddleAndGoesSmoothly) {
 }
 
 TEST(FollowDune, SaysWhatIsMissing) {
-    EXPECT_EQ(fault_of_shot("move = \"follow-dune\"\ndune = 2\n"),
-              "f.toml:6:8: shot.0.dune: there is no dune number 2 at step 0, where 1 stand alone");
+    EXPECT_EQ(
+        fault_of_shot("move = \"follow-dune\"\ndune = 2\n"),
+        "f.toml:6:8: shot.0.dune: there is no dune number 2 at step 0, which has 1 isolated dunes");
     const StagedFilm standing("move = \"follow-dune\"\nfrom = 50\nto = 50\n");
     EXPECT_EQ(glm::length(standing.staged.pose_at(1.0).eye - standing.staged.pose_at(0.0).eye),
               0.0);

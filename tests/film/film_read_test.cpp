@@ -44,11 +44,11 @@ TEST(FilmRead, LocatesEveryFault) {
               "f.toml:5:11: film.quality is 'good'; it takes a whole number 0 … 51");
     EXPECT_EQ(film_refusal("[film]\nsize = \"2k\"\n[[shot]]\n").substr(0, 37),
               "f.toml:2:8: unknown film.size \"2k\"; d");
-    EXPECT_EQ(film_refusal("[film]\n"), "f.toml:1:1: a film needs a [[shot]] at least");
+    EXPECT_EQ(film_refusal("[film]\n"), "f.toml:1:1: a film needs at least one [[shot]]");
     EXPECT_EQ(film_refusal("[[shot]]\nmove = \"keys\"\n"),
-              "f.toml:2:8: shot.0.move = \"keys\" needs two [[shot.key]] at least");
+              "f.toml:2:8: shot.0.move = \"keys\" needs at least two [[shot.key]]");
     EXPECT_EQ(film_refusal("[[shot]]\nmove = \"orbit\"\n[[shot.key]]\nat = [0, 0, 1]\n"),
-              "f.toml:2:8: shot.0 has [[shot.key]] and a ready move; write move = \"keys\"");
+              "f.toml:2:8: shot.0 has [[shot.key]] and a predefined move; write move = \"keys\"");
     EXPECT_EQ(film_refusal("[[shot]]\n[[shot.key]]\nat = [0, 1]\n"),
               "f.toml:3:6: shot.0.key.0.at has 2 numbers; it takes three: east, north, above the "
               "bed");

@@ -111,11 +111,11 @@ TEST(FilmRuns, SayWhatDiffersAndFillAGrid) {
 
 TEST(FilmRuns, OneLineForWhatDoesNotFit) {
     EXPECT_EQ(fault_of({"a", "large"}),
-              "large: its bed has 30 x 20 cells, that of a 24 x 20; runs side by side have the "
+              "large: its bed has 30 x 20 cells, that of a 24 x 20; runs side by side need the "
               "same grid");
     EXPECT_EQ(fault_of({"a", "short"}),
-              "short: stored no bed of step 4, which a did; runs side by side store the same steps "
-              "(output.fields_every), or the film counts their time (shot.clock = \"time\")");
+              "short: stored no bed of step 4, but a did; store the same steps in all runs "
+              "(output.fields_every), or synchronise the runs by time (shot.clock = \"time\")");
     EXPECT_EQ(fault_of({"a", "b", "sweep", "sweep"}),
               "10 runs; a film shows at most 9 (3 x 3) side by side");
     EXPECT_EQ(fault_of({"sweep"}, "[panes]\nshow = \"wipe\"\n"),

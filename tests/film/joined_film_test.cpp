@@ -145,9 +145,8 @@ TEST(JoinedFilm, IsMadeAgainFromItsFileAlone) {
 TEST(JoinedFilm, SaysWhatDoesNotFit) {
     EXPECT_EQ(fault_of("[[excerpt]]\nfilm = \"no.toml\"\n"),
               "j.toml:2:8: excerpt.0.film: there is no film \"no.toml\"");
-    EXPECT_EQ(
-        fault_of("[[excerpt]]\nfilm = \"one.toml\"\nfrom = 1\nto = 3\n"),
-        "j.toml:4:6: excerpt.0: from 1 to 3 s is no piece of that film, whose shots last 2 s");
+    EXPECT_EQ(fault_of("[[excerpt]]\nfilm = \"one.toml\"\nfrom = 1\nto = 3\n"),
+              "j.toml:4:6: excerpt.0: from 1 to 3 s is not within that film, whose shots last 2 s");
     EXPECT_EQ(fault_of("[[excerpt]]\nfilm = \"one.toml\"\nrun = 2\n", 1),
               "j.toml:3:7: excerpt.0.run = 2, and 1 run is given");
     EXPECT_EQ(fault_of("[[excerpt]]\nfilm = \"one.toml\"\n[[shot]]\n"),

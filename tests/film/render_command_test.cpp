@@ -157,7 +157,7 @@ TEST_F(RenderCommandTest, AKilledShardIsDoneAgainAndMissingFramesAreNamed) {
     EXPECT_EQ(
         early.errors,
         "killed: 2 of 5 frames are missing, so the movie is not made: 2, 4; `fumon render beds -o "
-        "killed` draws those that are not there\n");
+        "killed` draws the missing ones\n");
     EXPECT_FALSE(fs::exists(*folder_ / "killed/movie.mp4"));
     const Ended again = render("killed");
     EXPECT_EQ(again.errors, "5 of 5 frames are done (3 were there already): killed\n");
@@ -207,18 +207,17 @@ TEST_F(RenderCommandTest, WhatDoesNotFitIsRefused) {
         {"--frames", "3:5"},
         "--frames is \"3:5\"; it takes first:last, as 0:4, or one number: the run has the frames "
         "0 to 4");
-    refused(
-        {"--set", "frames.every=3"},
-        "--set: its scene has frames.every = 5, now 3, which the stored beds were made with; only "
-        "what decides how the run looks and which files it writes can be changed");
+    refused({"--set", "frames.every=3"},
+            "--set: its scene has frames.every = 5, now 3; with stored beds only keys of the look "
+            "and of the output files can change");
     ASSERT_EQ(fumon({"run", "scene.toml", "-o", "coarse", "-q", "--set", "output.fields_every=10",
                      "--set", "output.frames=false", "--set", "output.movie=false"},
                     folder_->path())
                   .status,
               0);
     EXPECT_EQ(fumon({"render", "coarse", "-o", "new"}, folder_->path()).errors,
-              "frame 1 shows step 5, whose bed the run has not stored; run the scene again with "
-              "--set output.fields_every=N, every N steps of which one is 5\n");
+              "frame 1 shows step 5, but the run stored no bed of that step; run the scene again "
+              "with --set output.fields_every=N, where N divides 5\n");
     EXPECT_EQ(fumon({"render", "coarse", "-o", "new", "--frames", "2"}, folder_->path()).status, 0);
     fs::create_directories(*folder_ / "mine/frames");
     write_text(*folder_ / "mine/frames/frame_000001.png", "mine");

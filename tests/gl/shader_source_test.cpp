@@ -74,12 +74,13 @@ TEST(ShaderSource, RejectsAMissingInclude) {
 TEST(ShaderSource, RejectsACycle) {
     EXPECT_EQ(failure(reader(
                   {{"a.glsl", "#include \"b.glsl\"\n"}, {"b.glsl", "x\n#include \"a.glsl\"\n"}})),
-              "shaders/b.glsl:2: the include comes round to itself: a.glsl → b.glsl → a.glsl");
+              "shaders/b.glsl:2: circular include: a.glsl → b.glsl → a.glsl");
 }
 
 TEST(ShaderSource, RejectsAMalformedInclude) {
-    EXPECT_EQ(failure(reader({{"a.glsl", "#include b.glsl\n"}})),
-              "shaders/a.glsl:1: '#include b.glsl' is no include; write #include \"file.glsl\"");
+    EXPECT_EQ(
+        failure(reader({{"a.glsl", "#include b.glsl\n"}})),
+        "shaders/a.glsl:1: '#include b.glsl' is not an include; write #include \"file.glsl\"");
 }
 
 }  // namespace

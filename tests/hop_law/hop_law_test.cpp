@@ -159,8 +159,8 @@ TEST_F(HopLawTest, ATableOfFlightsBelongsToTheLawThatNamesIt) {
     const Ended other = measure({"-q", "--hops", "2", "--flights", "tables/f.csv"}, "other.toml");
     EXPECT_EQ(other.status, 2);
     EXPECT_EQ(other.errors,
-              "tables/f.csv: is there already, and nothing says that fumon made it; name another "
-              "output, or --force replaces it\n");
+              "tables/f.csv: already exists and was not made by fumon; name another output, or "
+              "replace it with --force\n");
     EXPECT_EQ(read_text(folder_ / "tables/f.csv"), table);
     EXPECT_FALSE(fs::exists(folder_ / "other.toml"));
     EXPECT_EQ(measure({"-q", "--hops", "2", "--flights", "tables/f.csv", "--force"}).status, 0);
@@ -343,7 +343,7 @@ TEST_F(HopLawTest, RefusesWhatItCannotUse) {
     write_text(folder_ / "sand.toml", small_scene());
     expect_refused(fumon({"hop-law", "sand.toml", "-o", "law.toml"}, folder_.path()), 2,
                    "of the model airflow, which sand has not");
-    expect_refused(measure({"--into", "air.toml"}), 2, "a hop law goes into the model sand");
+    expect_refused(measure({"--into", "air.toml"}), 2, "a hop law is for the model sand");
     expect_refused(measure({"--form", "cubic"}), 2, "cubic");
     expect_refused(measure({"--hops", "0"}), 2, "--hops");
     expect_refused(measure({"--flights", "./law.toml"}), 2, "the name of a table ends in .csv");

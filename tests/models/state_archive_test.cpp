@@ -260,7 +260,8 @@ TEST(CarryOfAModel, AnotherModelsOrSizesStateIsRefused) {
         return message_of<InputError>(
             [&] { Built(scene, 1).model->serialise(*open_checkpoint(folder / "state")); });
     };
-    EXPECT_NE(refusal(sand("", "", 41).scene).find("its bed has another size"), std::string::npos);
+    EXPECT_NE(refusal(sand("", "", 41).scene).find("its bed has a different size"),
+              std::string::npos);
     EXPECT_NE(refusal(pile("", "").scene).find("holds \"bed\" where \"dropped_grains\""),
               std::string::npos);
 }

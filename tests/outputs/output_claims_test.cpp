@@ -45,20 +45,20 @@ TEST_F(Claims, AnInputIsNeverReplacedHoweverItIsNamed) {
         const fs::path file = folder_ / name;
         for (const bool force : {false, true})
             EXPECT_EQ(refusal(file, force, true),
-                      file.string() + " is read, and would be replaced; write to another file");
+                      file.string() + " is an input and would be replaced; write to another file");
     }
 }
 
 TEST_F(Claims, AnInputUnderTheTemporaryNameOfAnOutputIsKept) {
     input_ = folder_.file("a.png.part", "1 2 3");
     EXPECT_EQ(refusal(folder_ / "a.png", true),
-              input_.string() + " is read, and would be replaced; write to another file");
+              input_.string() + " is an input and would be replaced; write to another file");
 }
 
 TEST_F(Claims, FilesOfOthersNeedForce) {
     const std::string what =
-        ": is there already, and nothing says that fumon made it; name another output, or --force "
-        "replaces it";
+        ": already exists and was not made by fumon; name another output, or replace it with "
+        "--force";
     for (const std::string& bytes : {std::string("mine"), std::string(), png({}),
                                      png({{"Software", "another"}}), std::string("\x89PNG\r\n")}) {
         const fs::path file = folder_.file("a.png", bytes);
@@ -120,7 +120,7 @@ TEST(OutputEnding, UnknownOnesAreRefused) {
         EXPECT_NO_THROW(check_ending(name, "a picture", png_ending)) << name;
     for (const char* name : {"a.gif", "a.jpg", "a", "png", "a.png.asc", ".png", "a.png "}) {
         EXPECT_EQ(message_of<InputError>([&] { check_ending(name, "a picture", png_ending); }),
-                  std::string(name) + ": the name of a picture ends in .png");
+                  std::string(name) + ": the name of a picture must end in .png");
     }
 }
 

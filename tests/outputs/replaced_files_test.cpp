@@ -13,8 +13,7 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 constexpr const char* in_the_way =
-    ": is there already, and nothing says that fumon made it; name another output, or --force "
-    "replaces it\n";
+    ": already exists and was not made by fumon; name another output, or replace it with --force\n";
 
 class ReplacedFiles : public ::testing::Test {
   protected:
@@ -160,9 +159,9 @@ TEST_F(ReplacedFiles, ARunDoesNotReplaceTheBedThatItStartsFrom) {
         const Ended ended = plain_run(
             "out", {"--force", "--set", "bed.kind=file", "--set", std::string("bed.file=") + file});
         EXPECT_EQ(ended.status, 2);
-        EXPECT_EQ(ended.errors,
-                  "out/beds/bed_00000020.asc is read, and would be replaced; write to another "
-                  "file\n");
+        EXPECT_EQ(
+            ended.errors,
+            "out/beds/bed_00000020.asc is an input and would be replaced; write to another file\n");
         EXPECT_EQ(read_text(folder_ / "out/beds/bed_00000020.asc"), bed);
         EXPECT_EQ(read_manifest(folder_ / "out")["status"], "complete");
     }
@@ -266,14 +265,15 @@ TEST_F(ReplacedFiles, AnUnknownEndingIsRefusedBeforeAnythingIsRead) {
         expect_refused(words, what + "\n");
     };
     refused({"still", "no.toml", "-o", "a.gif"},
-            "a.gif: the name of a picture ends in .png, .jpg, .jpeg, .webp, .tif, .tiff, .exr");
+            "a.gif: the name of a picture must end in .png, .jpg, .jpeg, .webp, .tif, .tiff, .exr");
     refused({"compare", "no.png", "no.png", "--diff", "d.jpg"},
-            "d.jpg: the name of a picture ends in .png");
+            "d.jpg: the name of a picture must end in .png");
     refused({"verify", "no.toml", "--junit", "j.html"},
-            "j.html: the name of a JUnit report ends in .xml");
-    refused({"hop-law", "no.toml", "-o", "law.txt"}, "law.txt: the name of a scene ends in .toml");
+            "j.html: the name of a JUnit report must end in .xml");
+    refused({"hop-law", "no.toml", "-o", "law.txt"},
+            "law.txt: the name of a scene must end in .toml");
     refused({"hop-law", "no.toml", "-o", "law.toml", "--flights", "f.tsv"},
-            "f.tsv: the name of a table ends in .csv");
+            "f.tsv: the name of a table must end in .csv");
     refused({"run", "scene.toml", "-o", "/"},
             "/ is the root of the file system; name a folder for the run with -o");
     for (const char* command : {"sweep", "figure", "verify"}) {
@@ -299,7 +299,7 @@ TEST_F(ReplacedFiles, AnOutputThatCannotBeWrittenIsFoundBeforeTheComputation) {
     };
     refused({"still", "scene.toml", "-o", "no/a.png"},
             "cannot write no/a.png: No such file or directory");
-    const std::string made = ": a file is in the way";
+    const std::string made = ": a file of this name exists";
     refused({"run", "scene.toml", "-o", "bed.asc/out"},
             "cannot make the folder bed.asc/out" + made);
     refused({"sweep", "scene.toml", "-o", "bed.asc/out", "--seeds", "1"},
@@ -331,7 +331,7 @@ TEST_F(ReplacedFiles, VerifyStaysOutOfAFolderInWhichAnotherIsAtWork) {
     const FolderLock lock(folder_ / "out");
     write_text(folder_ / "b.toml", "[cases]\na = {scene = \"scene.toml\"}\n");
     expect_refused({"verify", "b.toml", "-o", "out"},
-                   "another fumon is at work in out; wait for it or name another folder\n");
+                   "another fumon is working in out; wait for it or name another folder\n");
     EXPECT_TRUE(fs::is_empty(folder_ / "out"));
 }
 

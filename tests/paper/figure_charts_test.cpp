@@ -34,6 +34,12 @@ class FigureChartsTest : public FigureTest {
 
 using Cells = std::vector<std::vector<std::string>>;
 
+/// Of a band's area: a property of its style, or an attribute (Cairo 1.18).
+bool has_translucent_area(const std::string& svg) {
+    return svg.find("fill-opacity:0.25") != std::string::npos ||
+           svg.find("fill-opacity=\"0.25\"") != std::string::npos;
+}
+
 const std::string pairs = "x,y\n1,2\n1,4\n2,3\n2,4\n2,5\n3,7\n3,8\n3,9\n";
 
 TEST_F(FigureChartsTest, ABandStandsInPlaceOfBars) {
@@ -43,8 +49,8 @@ TEST_F(FigureChartsTest, ABandStandsInPlaceOfBars) {
     const Ended ended = chart_of(pairs, "", curve + "bars = \"band\"\n");
     ASSERT_EQ(ended.status, 0) << ended.errors;
     EXPECT_NE(drawn(), with_bars);
-    EXPECT_NE(drawn().find("fill-opacity:0.25"), std::string::npos);
-    EXPECT_EQ(with_bars.find("fill-opacity:0.25"), std::string::npos);
+    EXPECT_TRUE(has_translucent_area(drawn()));
+    EXPECT_FALSE(has_translucent_area(with_bars));
     expect_reported("Bands are standard deviations, n = 2 at x = 1, else 3");
     ASSERT_EQ(chart_of("x,y\n1,1\n1,90\n2,10\n2,11\n", "y_logarithmic = true\n",
                        curve + "bars = \"band\"\n")
@@ -257,7 +263,7 @@ TEST_F(FigureChartsTest, ADifferenceNamesBothBedsAndPartsAtZero) {
         "[figure]\n[[figure.panel]]\nkind = \"difference\"\nminus_set = [\"grid.nx=20\"]\n");
     EXPECT_NE(figure("bad.toml").errors.find("the two beds differ in size"), std::string::npos);
     write_scene("bad.toml", "[figure]\n[[figure.panel]]\nkind = \"difference\"\n");
-    EXPECT_NE(figure("bad.toml").errors.find("say what is taken away"), std::string::npos);
+    EXPECT_NE(figure("bad.toml").errors.find("name what is subtracted"), std::string::npos);
 }
 
 TEST_F(FigureChartsTest, SeveralMapsShareOneRangeAndOneBar) {
@@ -285,7 +291,7 @@ TEST_F(FigureChartsTest, WrongChartsAreOneLocatedLine) {
     const std::vector<Case> cases{
         {"kind = \"heat-map\"\n", "x = \"x\"\ny = \"y\"\n", ".z: is missing; name the column"},
         {"", xyz, ".z: is the column of colours in heat-map and scatter panels"},
-        {"kind = \"heat-map\"\nlevels = [2.0, 1.0]\n", xyz, ".levels: stand in rising order"},
+        {"kind = \"heat-map\"\nlevels = [2.0, 1.0]\n", xyz, ".levels: must rise"},
         {"kind = \"heat-map\"\nlevels = [1.0]\nclasses = [\"a\"]\n", xyz,
          ".classes: there are 1 between 1 levels; give 2"},
         {"kind = \"scatter\"\nbins = 3\n", xyz, ".bins: belongs to histogram panels"},

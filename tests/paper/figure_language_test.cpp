@@ -71,10 +71,9 @@ TEST_F(FigureLanguageTest, IsThatOfPicturesWhereTheFigureSaysNone) {
     EXPECT_TRUE(page_has("wind") && page_has("yr)"));
     const Ended wrong = figure_with("language = \"jp\"\n");
     EXPECT_EQ(wrong.status, 2);
-    EXPECT_NE(
-        wrong.errors.find("figure.language: fumon has no words of \"jp\"; it has those of en, "
-                          "ja"),
-        std::string::npos)
+    EXPECT_NE(wrong.errors.find("figure.language: fumon has no translation \"jp\"; it has en, "
+                                "ja"),
+              std::string::npos)
         << wrong.errors;
 }
 

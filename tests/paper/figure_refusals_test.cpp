@@ -41,8 +41,8 @@ TEST_F(FigureRefusalsTest, FilesOfOthersAndWhatItReadsAreNotReplaced) {
         const Ended ended = figure("page.toml");
         EXPECT_EQ(ended.status, 2);
         EXPECT_EQ(ended.errors, "out/" + std::string(name) +
-                                    ": is there already, and nothing says that fumon made it; name "
-                                    "another output, or --force replaces it\n");
+                                    ": already exists and was not made by fumon; name another "
+                                    "output, or replace it with --force\n");
         EXPECT_EQ(text("out/" + std::string(name)), points);
         fs::remove_all(folder_ / "out");
     }
@@ -59,7 +59,7 @@ TEST_F(FigureRefusalsTest, FilesOfOthersAndWhatItReadsAreNotReplaced) {
     const Ended reads = figure("page.toml", {"--force"});
     EXPECT_EQ(reads.status, 2);
     EXPECT_EQ(reads.errors,
-              "out/page-a-1.csv is read, and would be replaced; write to another file\n");
+              "out/page-a-1.csv is an input and would be replaced; write to another file\n");
     EXPECT_EQ(text("out/page-a-1.csv"), points);
 }
 
@@ -98,7 +98,7 @@ TEST_F(FigureRefusalsTest, WhatIsWrongIsOneLocatedLine) {
         {plot + "x_low = 2.0\nx_high = 1.0\n" + curve.substr(plot.size()),
          "bad.toml:17:10: figure.panel.0.x_high: 1 must be above the low end 2"},
         {plot + "y_logarithmic = true\ny_low = 0.0\n" + curve.substr(plot.size()),
-         "a logarithmic axis lies above 0"},
+         "a logarithmic axis takes only values above 0"},
         {plot + "inset = \"upper-left\"\n" + curve.substr(plot.size()), "this is the first"},
         {plot + "steps = [3]\n" + curve.substr(plot.size()),
          "belongs to map, view, profile, section and difference panels; a plot panel would not "
@@ -116,18 +116,18 @@ TEST_F(FigureRefusalsTest, WhatIsWrongIsOneLocatedLine) {
         {plot + "palette = \"grey\"\n" + curve.substr(plot.size()), "a plot panel would not show"},
         {map + "steps = [21]\n", "step 21 is after the run's end at 20"},
         {map + "field = \"water_depth\"\n", "the model sand has no field \"water_depth\""},
-        {map + "title = \"{stepp}\"\n", "{stepp} stands for nothing here"},
-        {map + "title = \"{step\"\n", "has a brace alone"},
-        {map + "title = \"{time:weeks}\"\n", "{time:weeks} stands for nothing here"},
+        {map + "title = \"{stepp}\"\n", "{stepp} is not a placeholder here"},
+        {map + "title = \"{step\"\n", "has an unmatched brace"},
+        {map + "title = \"{time:weeks}\"\n", "{time:weeks} is not a placeholder here"},
         {map + "x_label = \"along ({units})\"\n",
-         "bad.toml:17:11: figure.panel.0.x_label: {units} stands for nothing here; {unit} stands "
+         "bad.toml:17:11: figure.panel.0.x_label: {units} is not a placeholder here; {unit} stands "
          "for the unit"},
         {map + "palette = \"virids\"\n",
          "bad.toml:17:11: figure.panel.0.palette: unknown palette \"virids\"; did you mean "
          "\"viridis\"?"},
         {"[[figure.panel]]\nkind = \"profile\"\narrow = \"north\"\n", "a profile has no north"},
         {"[[figure.panel]]\nkind = \"view\"\nlow = \"least\"\n", "figure.panel.0.low"},
-        {curve + "average = false\nleast = 2\n", "counts what is averaged"},
+        {curve + "average = false\nleast = 2\n", "needs averages"},
         {map + "set = [\"model.creep_rat=1\"]\n", "did you mean \"model.creep_rate\"?"},
         {map + "scene = \"other.toml\"\n", "other.toml"},
         {"[[figure.panel]]\nkind = \"section\"\n", "needs a model with one (airflow), not sand"},
@@ -138,11 +138,11 @@ TEST_F(FigureRefusalsTest, WhatIsWrongIsOneLocatedLine) {
         {curve + "table = \"avalanches\"\n", "needs a model with avalanches (sandpile), not sand"},
         {curve + "table = \"file\"\n", ".file: is missing"},
         {curve + "table = \"file\"\nfile = \"none.csv\"\n", "none.csv"},
-        {curve + "name = \"{colour}\"\n", "{colour} stands for nothing here"},
+        {curve + "name = \"{colour}\"\n", "{colour} is not a placeholder here"},
         {curve + "spread = \"dev\"\n",
          "curve.0.spread is \"dev\"; it takes one of \"none\", \"deviation\", "
          "\"standard-error\"\n"},
-        {curve + "scale_y = 2.0\n", "the column's unit holds no more"},
+        {curve + "scale_y = 2.0\n", "the column's unit no longer applies"},
         {curve + "over = [\"model.creep_rte=1,2\"]\n", "did you mean \"model.creep_rate\"?"},
         {curve + "[[figure.panel.box]]\nlabel = \"a\"\n", ".source: is missing"},
     };

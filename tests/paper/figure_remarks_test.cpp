@@ -50,7 +50,8 @@ TEST_F(FigureRemarksTest, TheCaptionSaysWhereTheNumberOfRunsChanges) {
     EXPECT_NE(caption().find("\nn = 1."), std::string::npos) << caption();
     const Ended none = figure_of(points, "", "least = 4\n");
     EXPECT_EQ(none.status, 2);
-    EXPECT_NE(none.errors.find("plot.toml:10:5: no point is of 4 runs or more"), std::string::npos)
+    EXPECT_NE(none.errors.find("plot.toml:10:5: no point is the mean of 4 runs or more"),
+              std::string::npos)
         << none.errors;
 }
 

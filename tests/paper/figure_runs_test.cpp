@@ -46,7 +46,7 @@ TEST_F(FigureRunsTest, FilesOfOthersInAStoredRunStopItFromBeingMadeAnew) {
     write_scene("pictures.toml", pictures + "[[figure.panel]]\nkind = \"map\"\nsteps = [7]\n");
     const Ended ended = figure("pictures.toml");
     EXPECT_NE(ended.status, 0);
-    EXPECT_NE(ended.errors.find(notes + ": is no file of a stored run"), std::string::npos)
+    EXPECT_NE(ended.errors.find(notes + ": is not a file of a stored run"), std::string::npos)
         << ended.errors;
     EXPECT_EQ(text(notes), "mine");
     fs::remove(folder_ / notes);

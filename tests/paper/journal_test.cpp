@@ -121,7 +121,7 @@ TEST_F(FigureForJournal, IsMadeAgainFromEveryFormat) {
     EXPECT_NE(eps.find("%%BoundingBox: 0 0 497 "), std::string::npos) << eps.substr(0, 300);
     const Ended no = figure("a.toml", {"--set", "figure.icc_profile=a.toml"}, "other");
     EXPECT_EQ(no.status, 2);
-    EXPECT_NE(no.errors.find("is no ICC profile"), std::string::npos) << no.errors;
+    EXPECT_NE(no.errors.find("is not an ICC profile"), std::string::npos) << no.errors;
 }
 
 }  // namespace

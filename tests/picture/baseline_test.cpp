@@ -137,7 +137,7 @@ TEST(Baseline, RecordsThatStandInTheFileItselfAreReadAsBefore) {
     const auto lock = folder.file("b.lock", lock_text(records, LockOwner::verify));
     EXPECT_EQ(
         message_of<InputError>([&] { read_baseline(file); }),
-        file.string() + ":13:1: what is recorded stands in " + lock.string() + "; remove it here");
+        file.string() + ":13:1: recorded values belong in " + lock.string() + "; remove them here");
 }
 
 TEST(Baseline, ALockBelongsToWhoWroteIt) {
@@ -149,7 +149,7 @@ TEST(Baseline, ALockBelongsToWhoWroteIt) {
         << message;
     EXPECT_TRUE(message_of<InputError>([&] {
                     read_baseline(std::filesystem::path(other.file).replace_extension(".lock"));
-                }).ends_with("b.lock: is a lock; name the baseline that it is of"));
+                }).ends_with("b.lock: is a lock file; name its baseline"));
     const Locked damaged("[recorded.map]\nsize = 3\n");
     EXPECT_NE(message_of<InputError>([&] { read_baseline(damaged.file); }).find("b.lock:2:8: "),
               std::string::npos);
@@ -184,10 +184,10 @@ TEST(Baseline, ACaseHasRecordsOfItsEnvironments) {
     EXPECT_EQ(baseline.environment_of(map, {}), nullptr) << "nothing is known of it";
 
     EXPECT_EQ(fault("environments = [\"a\"]\n[cases]\nmap = {scene = \"s.toml\"}\n"),
-              "b.toml:1:16: environments names \"a\", which nothing describes; write "
+              "b.toml:1:16: environments names \"a\", which has no description; write "
               "[environment.a] with its mesa, driver or drawer");
     EXPECT_EQ(fault("[environment.a]\n[cases]\nmap = {scene = \"s.toml\"}\n"),
-              "b.toml:1:14: environment.a may be any; say its mesa, driver or drawer");
+              "b.toml:1:14: environment.a matches any machine; give its mesa, driver or drawer");
 }
 
 TEST(Baseline, AWrongCaseMayBeKeptWithItsFault) {
@@ -218,14 +218,14 @@ TEST(Baseline, FaultsAreLocated) {
     EXPECT_EQ(fault("[cases]\na = {scene = \"s\", step = 1, time = 2}\n"),
               "b.toml:2:1: cases.a has a step and a time; keep one");
     EXPECT_EQ(fault("[cases]\n\"../a\" = {scene = \"s\"}\n"),
-              "b.toml:2:1: a case is named by letters, digits, \"-\" and \"_\"");
+              "b.toml:2:1: the name of a case takes letters, digits, \"-\" and \"_\"");
     EXPECT_EQ(fault("[cases]\na = 3\n"),
-              "b.toml:2:5: cases.a is no section; it takes {scene = \"FILE.toml\", …}");
+              "b.toml:2:5: cases.a is not a section; it takes {scene = \"FILE.toml\", …}");
     EXPECT_EQ(fault("cases = 3\n"),
               "b.toml:1:9: cases is a section; write [cases] and its keys below");
     EXPECT_EQ(fault("[cases\n").substr(0, 11), "b.toml:1:7:");
     EXPECT_EQ(fault("[recorded.a]\nfumon = \"0\"\n[cases]\na = {scene = \"s\"}\n"),
-              "b.toml:4:1: cases.a stands behind what is recorded; move it up");
+              "b.toml:4:1: cases.a comes after the recorded values; move it up");
     EXPECT_EQ(fault("[cases]\na = {scene = \"s\"}\n[recorded.a]\ncolour = 1\n").substr(0, 42),
               "b.toml:4:1: unknown key recorded.a.colour;");
     EXPECT_EQ(fault("[cases]\na = {scene = \"s\"}\n[recorded.a]\nfumon = \"0\"\n"),

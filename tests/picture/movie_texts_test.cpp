@@ -79,7 +79,7 @@ TEST(MovieTexts, DamagedOnesAreRefusedWhateverSizesTheySay) {
     };
     EXPECT_EQ(refusal(whole.substr(0, whole.find("moov"))),
               (folder / "m.mp4").string() +
-                  ": is no MP4 movie or is damaged (it has no head); take an untouched copy");
+                  ": is not an MP4 movie or is damaged (it has no header); take an untouched copy");
     for (const char* type : {"moov", "mvhd", "udta", "meta", "keys", "mdta", "data"}) {
         for (const std::size_t size : {std::size_t{0x7FFFFFFF}, std::size_t{1}, std::size_t{7}}) {
             std::string damaged = whole;

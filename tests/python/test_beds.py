@@ -107,7 +107,7 @@ def test_the_checks_are_those_of_files():
         scene_of(HILLS, grid_nx=7).at(0)
     with pytest.raises(fumon.InputError, match="the array has cells of"):
         scene_of(HILLS, cell_size=2, grid_cell_size=[5.0]).at(0)
-    with pytest.raises(fumon.InputError, match="bed.window says how a file is read"):
+    with pytest.raises(fumon.InputError, match="bed.window applies to files"):
         scene_of(HILLS, bed_window=[0, 0, 4, 4]).at(0)
     with pytest.raises(ValueError, match="cell_size, origin and field"):
         fumon.Scene.from_toml(TEXT, cell_size=3)

@@ -257,7 +257,7 @@ def test_wrong_use_is_one_clear_exception(component):
         model.get_grid_shape(1, np.empty(2, int))
     with pytest.raises(fumon.InputError, match="no z"):
         model.get_grid_z(0, np.empty(1))
-    with pytest.raises(ValueError, match="does not go back"):
+    with pytest.raises(ValueError, match="cannot go back"):
         model.update()
         model.update_until(0.0)
     with pytest.raises(ValueError, match="read-only"):

@@ -47,7 +47,7 @@ def test_dataarrays_keep_their_coordinates():
 
 
 def test_what_is_no_quantity_is_refused():
-    with pytest.raises(fumon.InputError, match='"slop" is no field; there are height, slope, aspect, hillshade'):
+    with pytest.raises(fumon.InputError, match='"slop" is not a field; there are height, slope, aspect, hillshade'):
         fumon.raster(np.zeros((4, 4)), "slop")
     with pytest.raises(ValueError, match="are numbers"):
         fumon.raster(np.zeros((4, 4)), "hillshade", sun_azimuth=float("nan"))

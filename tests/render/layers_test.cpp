@@ -375,10 +375,10 @@ TEST(Persons, StandWhereTheyShowAScale) {
     };
     EXPECT_NE(fault(bed).find("person.0.at is two numbers"), std::string::npos) << fault(bed);
     view.persons[0].at = {90.0, 10.0};
-    EXPECT_NE(fault(bed).find("is beside the bed, which is 80 x 60 m"), std::string::npos);
+    EXPECT_NE(fault(bed).find("is outside the bed, which is 80 x 60 m"), std::string::npos);
     view.persons[0].at = {30.0, 10.0};
     EXPECT_EQ(fault(bed), "");
-    EXPECT_NE(fault(wavy_bed(40, 30)).find("this bed has no metres"), std::string::npos);
+    EXPECT_NE(fault(wavy_bed(40, 30)).find("this bed is not in metres"), std::string::npos);
     view.look.exaggeration = {"", 2.0};
     EXPECT_NE(fault(bed).find("heights are drawn 2 times as high"), std::string::npos);
     bed.scale.dx = bed.scale.dy = 0.01;

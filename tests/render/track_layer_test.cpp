@@ -230,7 +230,7 @@ TEST(TrackLayer, IsRefusedWhereItShowsNoScale) {
         expect_fault("track.1.along: track.1.along is two points or more, two numbers each");
     }
     along = {1.0, 2.0, 90.0, 4.0};
-    expect_fault("track.1.along, point 2 = [90, 4] is beside the bed, which is 80 x 60 m");
+    expect_fault("track.1.along, point 2 = [90, 4] is outside the bed, which is 80 x 60 m");
     along = {1.0, 2.0, 1.5, 2.0};
     expect_fault("track.1.along is 0.5 m long; a track is at least a step, 0.75 m");
     along.clear();
@@ -240,15 +240,13 @@ TEST(TrackLayer, IsRefusedWhereItShowsNoScale) {
         "20000 m");
     along = {1.0, 2.0, 3.0, 2.0};
     view.look.exaggeration = {"", 2.0};
-    expect_fault(
-        "track.0.along: a track shows how large things are, and heights are drawn 2 "
-        "times as high");
+    expect_fault("track.0.along: a track shows true sizes, but heights are exaggerated 2 times");
     view.look.exaggeration = {"", 1.0};
     view.look.mode = ViewMode::figure;
     expect_fault("a track is for scenic views (look.mode)");
     view.look.mode = ViewMode::scenic;
     bed.scale.in_metres = false;
-    expect_fault("a track shows a scale, and this bed has no metres");
+    expect_fault("a track shows a scale, but this bed is not in metres");
 }
 
 }  // namespace

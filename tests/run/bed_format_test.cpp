@@ -93,10 +93,9 @@ TEST_F(BedFormat, ABedIsExportedAsAGridOfItsFormatOrToStandardOutput) {
     const Ended told = fumon({"export", "dem.asc", "-o", "-"}, folder_.path());
     EXPECT_EQ(told.output, read_text(folder_ / "bed.asc"));
     EXPECT_EQ(told.errors, "");
-    EXPECT_EQ(
-        fumon({"export", "dem.asc", "-o", "bed.txt"}, folder_.path()).errors,
-        "bed.txt: the name of what is exported ends in .vts, .pvd, .glb, .stl, .ply, .obj, .nc, "
-        ".cog.tif, .tif, .asc; or say it by --as\n");
+    EXPECT_EQ(fumon({"export", "dem.asc", "-o", "bed.txt"}, folder_.path()).errors,
+              "bed.txt: the output's name must end in .vts, .pvd, .glb, .stl, .ply, .obj, .nc, "
+              ".cog.tif, .tif, .asc; or give the format with --as\n");
     EXPECT_EQ(
         fumon({"export", "dem.asc", "-o", "bed.txt", "--as", "esri-ascii"}, folder_.path()).status,
         0);
@@ -105,8 +104,8 @@ TEST_F(BedFormat, ABedIsExportedAsAGridOfItsFormatOrToStandardOutput) {
     const Ended series = fumon({"export", "dem.asc", "-o", "dem.pvd"}, folder_.path());
     EXPECT_EQ(series.status, 2);
     EXPECT_EQ(series.errors,
-              "dem.asc: has one moment, and a .pvd is a series of a run's; export it as .vts, or "
-              "name a run's folder or fields.nc\n");
+              "dem.asc: has a single record, and a .pvd is a time series; export .vts, or name a "
+              "run's folder or fields.nc\n");
     const Ended solid = fumon({"export", "dem.asc", "-o", "-", "--as", "stl"}, folder_.path());
     EXPECT_EQ(fumon({"export", "dem.asc", "-o", "dem.stl"}, folder_.path()).status, 0);
     EXPECT_TRUE(solid.output == read_text(folder_ / "dem.stl"));
@@ -153,9 +152,9 @@ TEST_F(BedFormat, WrongKeysAreLocated) {
     };
     EXPECT_EQ(line("window = [1.0, 2.0]\n", ""),
               "scene.toml:7:10: bed.window has 2 numbers; it takes [west, south, east, north]\n");
-    EXPECT_EQ(
-        line("window = [5.0, 2.0, 1.0, 4.0]\n", ""),
-        "scene.toml:7:10: bed.window must rise both ways; write [west, south, east, north]\n");
+    EXPECT_EQ(line("window = [5.0, 2.0, 1.0, 4.0]\n", ""),
+              "scene.toml:7:10: bed.window must have west < east and south < north; write [west, "
+              "south, east, north]\n");
     EXPECT_EQ(line("resample = 50.0\n", ""),
               "scene.toml:7:12: bed.resample is 50 m, more than the terrain's 48 x 32 m; take "
               "smaller cells\n");

@@ -194,7 +194,7 @@ TEST_P(DamagedOutputs, AreMadeAgainOrRefusedByName) {
         fs::remove(folder_ / "out" / bed);
     const std::string several = refusal();
     EXPECT_NE(
-        several.find("bed_00000000.asc: is not there (and 1 more file differs); bring it back"),
+        several.find("bed_00000000.asc: does not exist (and 1 more file differs); restore it"),
         std::string::npos)
         << several;
 

@@ -134,7 +134,8 @@ class FailingCalls : public ::testing::TestWithParam<Job> {
 
     void expect_one_line(const Ended& ended) const {
         std::string errors = ended.errors;
-        for (std::size_t end = 0; (end = errors.find("; the run goes on\n")) != std::string::npos;)
+        for (std::size_t end = 0;
+             (end = errors.find("; the run continues\n")) != std::string::npos;)
             errors.erase(errors.rfind('\n', end) + 1, errors.find('\n', end) + 1);
         const auto lines = std::count(errors.begin(), errors.end(), '\n');
         EXPECT_GE(lines, 1);

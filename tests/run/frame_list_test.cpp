@@ -98,7 +98,7 @@ TEST(FrameList, OneThatIsDamagedOrShortIsRefused) {
     EXPECT_EQ(difference(file, counted), "has 319 bytes of 320");
     EXPECT_THROW(FrameList(file, counted), InputError);
     fs::remove(file);
-    EXPECT_EQ(difference(file, counted), "is not there");
+    EXPECT_EQ(difference(file, counted), "does not exist");
     EXPECT_EQ(difference(file, FrameCount{}), "") << "no frames need no list";
 }
 

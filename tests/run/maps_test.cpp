@@ -174,13 +174,13 @@ TEST_F(MapsTest, WhatIsWrongIsSaidAtItsKey) {
                   .find("map.2.file is missing; name the file that has the values"),
               std::string::npos);
     EXPECT_NE(refusal(scene("[[map]]\nquantity = \"depth\"\nfile = \"no.asc\"\n"))
-                  .find("scene.toml:14:8: map.2.file \"no.asc\" is not there (looked for "
+                  .find("scene.toml:14:8: map.2.file \"no.asc\" does not exist (looked for "
                         "land/no.asc)"),
               std::string::npos);
     write_text(folder_ / "land/small.asc",
                "ncols 2\nnrows 2\ncellsize 24\nNODATA_value -9999\n1 2\n3 4\n");
     EXPECT_NE(refusal(scene("[[map]]\nquantity = \"depth\"\nfile = \"small.asc\"\n"))
-                  .find("land/small.asc: has 2 x 2 cells and the bed 24 x 16"),
+                  .find("land/small.asc: has 2 x 2 cells, but the bed has 24 x 16"),
               std::string::npos);
     EXPECT_NE(refusal(scene("[[map]]\nquantity = \"depth\"\nfile = \"n.asc\"\nvariable = \"h\"\n"))
                   .find("leave map.2.variable out"),

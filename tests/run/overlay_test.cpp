@@ -116,7 +116,7 @@ TEST_F(OverlayTest, AnErrorNamesItsPlaceAndNothingIsWritten) {
     const Ended small = fumon_with({"run", "scene.toml", "-o", "out"}, {"image.width=100"});
     EXPECT_EQ(small.status, 2);
     EXPECT_NE(small.errors.find("scene.toml:"), std::string::npos) << small.errors;
-    EXPECT_NE(small.errors.find("has no room in a picture of 100 x 270"), std::string::npos)
+    EXPECT_NE(small.errors.find("does not fit into a picture of 100 x 270"), std::string::npos)
         << small.errors;
     EXPECT_FALSE(fs::exists(folder_ / "out"));
 }

@@ -102,7 +102,7 @@ TEST_F(ResumeTest, AKilledRunWithPicturesEndsAsAnUninterruptedOne) {
     EXPECT_EQ(stop({"run", "--resume", "out"}, SIGKILL).status, 128 + SIGKILL);
     const Ended last = run({"run", "--resume", "out"});
     EXPECT_EQ(last.status, 0);
-    EXPECT_EQ(last.errors.rfind("goes on from step ", 0), 0U) << last.errors;
+    EXPECT_EQ(last.errors.rfind("resumes at step ", 0), 0U) << last.errors;
     expect_same_run(out("whole"), out());
     EXPECT_EQ(read_manifest(out())["resumed_at_steps"].size(), 2U);
 }
@@ -186,7 +186,7 @@ TEST_F(ResumeTest, ADamagedOrForeignCheckpointIsRefusedWithTheReason) {
     write_text(file, whole.substr(0, whole.size() / 3));
     expect_refusal({"run", "--resume", "out"}, "is cut short or damaged");
     write_text(file, "");
-    expect_refusal({"run", "--resume", "out"}, "is no checkpoint of fumon");
+    expect_refusal({"run", "--resume", "out"}, "is not a checkpoint of fumon");
     RunCheckpoint other;
     other.version = "0.0.9";
     {
@@ -269,7 +269,7 @@ TEST_F(ResumeTest, AnotherSceneIsRefusedAndTheSameOneTaken) {
                    "its scene has model.creep_rate = 0.15, now 0.3");
     expect_refusal({"run", "--resume", "out", "--set", "run.steps=9"},
                    "its scene has run.steps = 20000, now 9");
-    expect_refusal({"run", "scene.toml", "-o", "out"}, "--resume goes on with it");
+    expect_refusal({"run", "scene.toml", "-o", "out"}, "continue it with --resume");
     Program again({"run", "scene.toml", "--resume", "out", "-q"}, folder_.path());
     wait_for([&] { return read_manifest(out())["status"] == "running"; });
     again.send(SIGKILL);
@@ -279,7 +279,7 @@ TEST_F(ResumeTest, TwoProgramsInOneFolderAreRefused) {
     scene(sand_scene(1'000'000));
     Program first({"run", "scene.toml", "-o", "out", "-q"}, folder_.path());
     wait_for([&] { return fs::exists(out() / "run.json"); });
-    const std::string said = "another fumon is at work in out; wait for it or name another folder";
+    const std::string said = "another fumon is working in out; wait for it or name another folder";
     expect_refusal({"run", "--resume", "out"}, said);
     expect_refusal({"run", "scene.toml", "-o", "out", "--force"}, said);
     first.send(SIGKILL);
@@ -303,7 +303,7 @@ TEST_F(ResumeTest, FromAnotherFolderTheTerrainIsFoundAndAChangeNoticed) {
     expect_refusal({"run", "--resume", "out"}, "data/bed.asc as it was when the run was made");
     write_text(folder_ / "data/bed.asc", grid);
     write_text(folder_ / "data/bed.prj", "PROJCS[\"a\",UNIT[\"Foot_US\",0.3048006]]");
-    expect_refusal({"run", "--resume", "out"}, "but files beside it count");
+    expect_refusal({"run", "--resume", "out"}, "but files that belong to it");
     fs::remove(folder_ / "data/bed.prj");
     write_text(out() / "checkpoint.fumon.part", "what a failing disk left");
     const Ended ended = fumon({"run", "--resume", "../out", "-q"}, folder_ / "elsewhere");
@@ -322,7 +322,7 @@ TEST_F(ResumeTest, AFullDiskForACheckpointDoesNotEndTheRun) {
     EXPECT_TRUE(ended.errors.starts_with("no checkpoint of step ")) << ended.errors;
     EXPECT_NE(
         ended.errors.find(": cannot write small/out/checkpoint.fumon: No space left on device; "
-                          "the run goes on\n"),
+                          "the run continues\n"),
         std::string::npos)
         << ended.errors;
     EXPECT_EQ(read_manifest(out("small/out"))["status"], "complete");
@@ -333,7 +333,7 @@ TEST_F(ResumeTest, AFrameThatIsGoneOrChangedIsNoticed) {
     scene(scene_of("name = \"static\"\n", 12, 12, 100000, "[frames]\nevery = 10\n"));
     ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
     fs::remove(out() / "frames/frame_000000.png");
-    expect_refusal({"run", "--resume", "out"}, "out/frames/frame_000000.png: is not there");
+    expect_refusal({"run", "--resume", "out"}, "out/frames/frame_000000.png: does not exist");
     ASSERT_EQ(run({"still", "scene.toml", "--step", "0", "--set", "sun.elevation=9", "-o",
                    "out/frames/frame_000000.png"})
                   .status,
@@ -341,7 +341,7 @@ TEST_F(ResumeTest, AFrameThatIsGoneOrChangedIsNoticed) {
     const Ended changed = run({"run", "--resume", "out", "-q"});
     EXPECT_EQ(changed.status, 2);
     EXPECT_EQ(changed.errors,
-              "out/frames/frame_000000.png: has changed since it was written; bring it back as it "
+              "out/frames/frame_000000.png: has changed since it was written; restore it as it "
               "was, or run the scene from its start with --force\n");
 }
 
@@ -358,7 +358,7 @@ TEST_F(ResumeTest, TheListOfFramesIsKeptAsLongAsItIsNeeded) {
     write_text(file, bytes.substr(0, 40));
     expect_refusal({"run", "--resume", "out"}, "out/frames.fumon: has 40 bytes of ");
     fs::remove(file);
-    expect_refusal({"run", "--resume", "out"}, "out/frames.fumon: is not there");
+    expect_refusal({"run", "--resume", "out"}, "out/frames.fumon: does not exist");
 
     Program endless({"run", "scene.toml", "-o", "none", "-q", "--checkpoint-every", "0"},
                     folder_.path());

@@ -111,7 +111,7 @@ TEST_F(RunTest, AFolderThatHoldsARunIsKept) {
     const Ended refused = run({});
     EXPECT_EQ(refused.status, 2);
     EXPECT_EQ(refused.errors,
-              "out already holds a run; name another folder, or --force replaces it\n");
+              "out already holds a run; name another folder, or replace it with --force\n");
     EXPECT_EQ(read_text(folder_ / "out/run.json"), before);
 
     ASSERT_EQ(run({"--force", "--set", "frames.every=10"}).status, 0);

@@ -55,7 +55,7 @@ TEST_F(TwoRunsTest, ForceDoesNotReplaceARunThatIsAtWork) {
     for (int tries = 0; tries < 600 && !fs::exists(folder_ / "out/frames/frame_000001.png");
          ++tries)
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    expect_refused(fumon(run, folder_.path()), "another fumon is at work in out");
+    expect_refused(fumon(run, folder_.path()), "another fumon is working in out");
     EXPECT_NO_THROW(read_png(folder_ / "out/frames/frame_000001.png"));
     first.send(SIGINT);
     EXPECT_EQ(first.wait().status, 130);

@@ -165,14 +165,13 @@ TEST_F(InitialBedTest, HeightsThatNoGroundHasAreToldAndCanBeTakenOut) {
     };
     EXPECT_EQ(told("1 2 3\n4 -50 6\n").note, "");
     EXPECT_EQ(told("8000 2 3\n4 -9999 6\n").note,
-              "1 of 6 cells have heights that no ground has, the first -9999 m at cell (1, 0): "
-              "where they stand for no data, say so by bed.nodata_value = -9999");
+              "1 of 6 cells have implausible heights, the first -9999 m at cell (1, 0): if they "
+              "mean missing data, write bed.nodata_value = -9999");
     for (const char* value : {"9999", "-32768", "32767", "-99999"}) {
         const std::string cells = std::string("1 2 ") + value + "\n4 " + value + " 6\n";
         const std::string note = told(cells).note;
         EXPECT_NE(note.find("2 of 6 cells"), std::string::npos) << note;
-        EXPECT_NE(note.find(std::string("say so by bed.nodata_value = ") + value),
-                  std::string::npos)
+        EXPECT_NE(note.find(std::string("write bed.nodata_value = ") + value), std::string::npos)
             << note;
         const InitialBed taken = told(cells, std::string("nodata_value = ") + value + "\n");
         EXPECT_EQ(taken.note, "");
@@ -184,8 +183,8 @@ TEST_F(InitialBedTest, HeightsThatNoGroundHasAreToldAndCanBeTakenOut) {
     EXPECT_EQ(test::message_of<InputError>([&] { (void)told("1 2 1e30\n4 5 6\n"); }),
               (folder_ / "odd.asc").string() +
                   ": 1 of 6 cells have heights beyond ±1e+06 m, the first 1e+30 m at cell (2, 1); "
-                  "where they stand for no data, write bed.nodata_value = 1e+30, and where they "
-                  "are in another unit, bed.height_unit");
+                  "if they mean missing data, write bed.nodata_value = 1e+30; if they are in "
+                  "another unit, write bed.height_unit");
     EXPECT_EQ(told("1 2 1e30\n4 5 6\n", "nodata_value = 1e30\n").nodata(2, 1), 1);
     const InitialBed feet =
         told("10 -9999 30\n40 50 60\n", "height_unit = \"ft\"\nnodata_value = -9999\n");
@@ -232,7 +231,7 @@ TEST_F(InitialBedTest, TerracesAreToldAndTakenOutByChoice) {
     const InitialBed kept = bed("real.asc", "smooth_terraces = true\n");
     EXPECT_EQ(kept.bed, real.bed);
     EXPECT_EQ(kept.note,
-              "heights are no multiples of a step: bed.smooth_terraces leaves them as they are");
+              "heights are not multiples of a step: bed.smooth_terraces leaves them unchanged");
 }
 
 TEST_F(InitialBedTest, WhatDoesNotFitTheFileIsRefused) {
@@ -244,7 +243,7 @@ TEST_F(InitialBedTest, WhatDoesNotFitTheFileIsRefused) {
               "scene.toml:9:13: grid.cell_size is [5, 5] m, but bed.asc has cells of [4, 4] m; "
               "leave the key out");
     EXPECT_EQ(refusal("[bed]\nkind = \"file\"\nfile = \"none.asc\"\n"),
-              "scene.toml:7:8: bed.file \"none.asc\" is not there (looked for " +
+              "scene.toml:7:8: bed.file \"none.asc\" does not exist (looked for " +
                   (folder_ / "none.asc").string() + "); paths are relative to the scene file");
 }
 

@@ -79,41 +79,41 @@ TEST(PlacedSun, WandersOverTheRun) {
 TEST(PlacedSun, RefusesWhatDoesNotGoTogether) {
     EXPECT_EQ(sun_fault(placed_dunes), "none");
     EXPECT_EQ(sun_fault(bare_dunes + "[sun]\nplace = [1, 2]\n"),
-              "scene.toml:6:9: sun.place takes sun.time too: when the sun is looked at");
-    EXPECT_EQ(sun_fault(bare_dunes + "[sun]\ntime = \"2003-10-17T12:30Z\"\n"),
-              "scene.toml:6:8: sun.time takes sun.place too: where it is looked at, [latitude, "
-              "longitude]");
+              "scene.toml:6:9: sun.place needs sun.time, the time of the observation");
+    EXPECT_EQ(
+        sun_fault(bare_dunes + "[sun]\ntime = \"2003-10-17T12:30Z\"\n"),
+        "scene.toml:6:8: sun.time needs sun.place, the [latitude, longitude] of the observation");
     EXPECT_EQ(sun_fault(bare_dunes + "[sun]\nhours = 3\n"),
-              "scene.toml:6:9: sun.hours takes sun.place and sun.time, from which it counts");
+              "scene.toml:6:9: sun.hours needs sun.place and sun.time");
     EXPECT_EQ(sun_fault(bare_dunes + "[sun]\nplace = [1]\ntime = \"2003-10-17T12:30Z\"\n"),
               "scene.toml:6:9: sun.place has 1 number; it takes [latitude, longitude]");
     EXPECT_EQ(
         sun_fault(bare_dunes + "[sun]\nplace = [-105.1786, 39.7]\ntime = \"2003-10-17T12:30Z\"\n"),
-        "scene.toml:6:9: sun.place has the latitude -105.1786; it takes [latitude, "
-        "longitude], of which the first is -90 … 90");
+        "scene.toml:6:9: sun.place has the latitude -105.1786; it takes [latitude, longitude] with "
+        "a latitude of -90 … 90");
     EXPECT_EQ(sun_fault(bare_dunes + "[sun]\nplace = [1, 2]\ntime = \"noon\"\n"),
-              "scene.toml:7:8: sun.time: \"noon\" is no time with its offset from UTC; write one "
-              "as \"2026-03-20T06:40+00:00\" or \"2026-03-20T06:40Z\"");
+              "scene.toml:7:8: sun.time: \"noon\" is not a time with its offset from UTC; write "
+              "one as \"2026-03-20T06:40+00:00\" or \"2026-03-20T06:40Z\"");
     const std::string both =
-        " and sun.place both say where the sun stands; take one of them "
-        "(sun.place = [] and sun.time = \"\" give up the latter)";
+        " and sun.place both set the sun's position; keep one of them (sun.place = [] and sun.time "
+        "= \"\" clear the latter)";
     EXPECT_EQ(sun_fault(placed_dunes + "azimuth = 100\n"), "scene.toml:8:11: sun.azimuth" + both);
     EXPECT_EQ(sun_fault(placed_dunes + "elevation = 20\n"),
               "scene.toml:8:13: sun.elevation" + both);
     EXPECT_EQ(sun_fault(placed_dunes, {"sun.elevation=20"}), "--set 1:15: sun.elevation" + both);
     EXPECT_EQ(sun_fault(placed_dunes, {"sun.elevation=20", "sun.place=[]", "sun.time="}), "none");
     EXPECT_EQ(sun_fault(placed_dunes + "source = \"moon\"\n"),
-              "scene.toml:8:10: sun.source = \"moon\" stands where sun.azimuth and sun.elevation "
-              "say; sun.place and sun.time are the sun's");
+              "scene.toml:8:10: sun.source = \"moon\" takes sun.azimuth and sun.elevation; "
+              "sun.place and sun.time are for the sun only");
     EXPECT_EQ(sun_fault(placed_dunes + "[air]\nplanet = \"mars\"\n"),
-              "scene.toml:9:10: sun.place and sun.time are the Earth's; elsewhere take "
+              "scene.toml:9:10: sun.place and sun.time are for the Earth only; elsewhere take "
               "sun.azimuth and sun.elevation");
 }
 
 TEST(PlacedSun, RefusesNights) {
     EXPECT_EQ(sun_fault(placed_dunes, {"sun.time=2003-10-17T22:00-07:00"}),
               "--set 1:10: at sun.place and sun.time the sun stands 51.6 degrees below the "
-              "horizon; it takes 1 degree or more");
+              "horizon; it must stand at least 1 degree high");
     EXPECT_EQ(sun_fault(placed_dunes + "hours = 9\n"),
               "scene.toml:8:9: sun.hours is 9, but after 4.68 hours the sun is below 1 degree; "
               "take fewer, or begin at another sun.time");

@@ -101,16 +101,16 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"a_place_on_a_map", least + "[camera]\nprojection = \"map\"\nlook_at = [1, 2, 3]\n",
                "scene.toml:7:11: camera.look_at belongs to camera.projection = \"perspective\""},
         Broken{"a_framing_and_a_place", least + "[camera]\nframing = \"low\"\nat = [1, 2, 3]\n",
-               "scene.toml:7:6: camera.at and camera.framing both say where the camera stands; "
-               "take one of them"},
+               "scene.toml:7:6: camera.at and camera.framing both set the camera's position; keep "
+               "one of them"},
         Broken{"a_framing_on_a_map", least + "[camera]\nprojection = \"map\"\nframing = \"low\"\n",
                "scene.toml:7:11: camera.framing belongs to camera.projection = \"perspective\""},
         Broken{"two_lenses", least + "[camera]\nfield_of_view = 30\nfocal_length = 50\n",
-               "scene.toml:7:16: camera.focal_length and camera.field_of_view say the same; take "
-               "one of them"},
+               "scene.toml:7:16: camera.focal_length and camera.field_of_view set the same "
+               "quantity; keep one of them"},
         Broken{"a_lens_said_twice", least + "[camera]\nf_number = 2.8\naperture = 0.1\n",
-               "scene.toml:7:12: camera.f_number and camera.aperture both say how wide the lens "
-               "is; take one of them"},
+               "scene.toml:7:12: camera.f_number and camera.aperture set the same quantity; keep "
+               "one of them"},
         Broken{"a_lens_over_a_map", least + "[camera]\nprojection = \"map\"\naperture = 1\n",
                "scene.toml:7:12: camera.aperture belongs to camera.projection = \"perspective\""},
         Broken{"a_lens_before_a_figure",
@@ -127,10 +127,10 @@ INSTANTIATE_TEST_SUITE_P(
                "scene.toml:6:10: look.ground = \"endless\" takes look.mode = \"scenic\""},
         Broken{"clouds_in_a_plain_sky",
                least + "[look]\nsky = \"overcast\"\n[air]\nclouds = \"cirrus\"\n",
-               "scene.toml:8:10: air.clouds hang in look.sky = \"atmosphere\" or \"auto\" only"},
+               "scene.toml:8:10: air.clouds need look.sky = \"atmosphere\" or \"auto\""},
         Broken{"clouds_of_another_planet",
                least + "[air]\nplanet = \"mars\"\nclouds = \"cumulus\"\n",
-               "scene.toml:7:10: air.clouds = \"cumulus\" are the Earth's; thin air has "
+               "scene.toml:7:10: air.clouds = \"cumulus\" need the Earth's air; thin air takes "
                "\"cirrus\""},
         Broken{
             "unknown_model", "[model]\nname = \"sant\"\n",
@@ -139,7 +139,8 @@ INSTANTIATE_TEST_SUITE_P(
                "scene.toml:1:1: model.name is missing; write [model] and name = \"…\" (known: "
                "sand, dunes, sandpile, gully, water, airflow, static)"},
         Broken{"no_length", "[model]\nname = \"sand\"\n",
-               "scene.toml: run.steps is missing; say how long to run, for example [run] steps = "
+               "scene.toml: run.steps is missing; set the length of the run, for example [run] "
+               "steps = "
                "1000"},
         Broken{"unknown_choice", least + "[look]\nmode = \"figur\"\n",
                "scene.toml:6:8: look.mode is \"figur\"; it takes one of \"scenic\", \"figure\" "
@@ -157,12 +158,13 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"section_as_value", "camera = 3\n" + least,
                "scene.toml:1:1: camera is a section; write [camera] and its keys below"},
         Broken{"value_as_section", least + "[seed]\nx = 1\n",
-               "scene.toml:5:2: seed is no section; it takes a whole number 0 … "
+               "scene.toml:5:2: seed is not a section; it takes a whole number 0 … "
                "9.223e+18"},
         Broken{"not_whole", "seed = 1.5\n" + least,
                "scene.toml:1:8: seed is 1.5; it takes a whole number 0 … 9.223e+18"},
         Broken{"two_ways_of_frames", least + "[frames]\nevery = 2\nat = [1]\n",
-               "scene.toml:7:6: two ways to choose frames; keep one of frames.every, frames.at, "
+               "scene.toml:7:6: frames are chosen more than once; keep one of frames.every, "
+               "frames.at, "
                "frames.logarithmic"},
         Broken{"frame_after_the_end", least + "[frames]\nat = [11]\n",
                "scene.toml:6:6: frames.at names step 11, after the run's end at 10; lengthen "
@@ -364,10 +366,9 @@ TEST(ListsOfTables, TakeSettingsAndMoreItems) {
 }
 
 TEST(ListsOfTables, WrongOnesAreLocated) {
-    EXPECT_EQ(
-        scene_refusal(least + "[overlay]\nkind = \"time\"\n"),
-        "scene.toml:5:2: overlay is a list of sections; write [[overlay]] and its keys below, "
-        "as often as there are");
+    EXPECT_EQ(scene_refusal(least + "[overlay]\nkind = \"time\"\n"),
+              "scene.toml:5:2: overlay is a list of sections; write [[overlay]] and its keys "
+              "below, once for each");
     EXPECT_EQ(
         scene_refusal("overlay = [1]\n" + least),
         "scene.toml:1:12: overlay is a list of sections; write [[overlay]] and its keys below");
@@ -396,9 +397,9 @@ TEST(ListsOfTables, AreReadInATimeThatGrowsWithTheirNumber) {
 }
 
 TEST(ListsOfTables, HaveOneLimitForAllItemsThatHoldThem) {
-    EXPECT_EQ(scene_refusals(panels(10, 100)).find("stands more than"), std::string::npos);
+    EXPECT_EQ(scene_refusals(panels(10, 100)).find("occurs more than"), std::string::npos);
     EXPECT_NE(
-        scene_refusals(panels(10, 101)).find("[[figure.panel.curve]] stands more than 1000 times"),
+        scene_refusals(panels(10, 101)).find("[[figure.panel.curve]] occurs more than 1000 times"),
         std::string::npos);
 }
 

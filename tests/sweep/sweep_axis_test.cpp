@@ -74,7 +74,7 @@ TEST(SweepAxis, WrongOnesAreLocated) {
     EXPECT_EQ(refusal("k=1,\"a"), "--over 2:5: a quote is not closed");
     EXPECT_EQ(refusal("k=[1,2"), "--over 2:3: a bracket is not closed");
     const std::string range =
-        "is no range; low:high:count takes a count of 1 … 100000, for example 0:1:11";
+        "is not a range; low:high:count takes a count of 1 … 100000, for example 0:1:11";
     for (const char* text : {"0:1", "0:1:0", "0:1:2.5", "0:1:x", "0:1:100001", "0:1:2:3"})
         EXPECT_EQ(refusal(std::string("k=") + text),
                   "--over 2:3: \"" + std::string(text) + "\" " + range);

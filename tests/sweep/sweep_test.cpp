@@ -224,7 +224,7 @@ TEST_F(SweepTest, BedFilesCanBeSwept) {
     EXPECT_EQ(changed.status, 2);
     EXPECT_EQ(changed.errors,
               "out holds another sweep: data/b.asc has changed since; name another folder, or "
-              "--force replaces it\n");
+              "replace it with --force\n");
 }
 
 TEST_F(SweepTest, AFailingCombinationIsToldAndTheOthersAreKept) {
@@ -265,7 +265,8 @@ TEST_F(SweepTest, AnInterruptKeepsWhatIsDoneAndTheSameCommandGoesOn) {
         ASSERT_TRUE(fs::exists(first));
         const auto before = fs::last_write_time(first);
         if (signal != SIGKILL) {
-            EXPECT_NE(stopped.errors.find("the same command goes on from here"), std::string::npos)
+            EXPECT_NE(stopped.errors.find("the same command continues from here"),
+                      std::string::npos)
                 << stopped.errors;
             const std::string part = table(output);
             EXPECT_GT(lines(part).size(), 1U);
@@ -317,7 +318,7 @@ TEST_F(SweepTest, AnotherSweepIsRefusedUnlessForced) {
         const Ended ended = sweep(more);
         EXPECT_EQ(ended.status, 2);
         EXPECT_EQ(ended.errors, "out holds another sweep: " + why +
-                                    "; name another folder, or --force replaces it\n");
+                                    "; name another folder, or replace it with --force\n");
         EXPECT_EQ(table(), before);
     };
     refused({"--over", "model.creep_rate=0.1,0.3", "--seeds", "2"},
@@ -356,11 +357,11 @@ TEST_F(SweepTest, RecordsOfAnotherRunOrVersionAreNotTaken) {
     write_text(folder_ / "out/sweep.json", manifest.dump());
     EXPECT_EQ(sweep(two).errors,
               "out holds another sweep: it was made by fumon 0.0.1, this is " FUMON_VERSION
-              "; name another folder, or --force replaces it\n");
+              "; name another folder, or replace it with --force\n");
     write_text(folder_ / "out/sweep.json", "{");
     EXPECT_EQ(sweep(two).errors,
-              "out holds a sweep whose sweep.json is damaged; name another folder, or --force "
-              "replaces it\n");
+              "out holds a sweep whose sweep.json is damaged; name another folder, or replace it "
+              "with --force\n");
 }
 
 TEST_F(SweepTest, OneProgramAtATimeWorksInAFolder) {
@@ -370,7 +371,7 @@ TEST_F(SweepTest, OneProgramAtATimeWorksInAFolder) {
     const Ended second = sweep({"--seeds", "40", "--set", "run.steps=100000"});
     EXPECT_EQ(second.status, 2);
     EXPECT_EQ(second.errors,
-              "another fumon is at work in out; wait for it or name another folder\n");
+              "another fumon is working in out; wait for it or name another folder\n");
     first.send(SIGINT);
     EXPECT_EQ(first.wait().status, 130);
 }
@@ -395,7 +396,7 @@ TEST_F(SweepTest, WhatIsWrongIsLocatedAndWritesNothing) {
             "--over 1:22: model.creep_rate=0.10, seed 5 is the same run as model.creep_rate=0.1, "
             "seed 5; a sweep makes no pictures and runs each scene once");
     refused({"--over", "bed.file=gone.asc", "--set", "bed.kind=file"},
-            "--over 1:10: bed.file \"gone.asc\" is not there (looked for gone.asc); paths are "
+            "--over 1:10: bed.file \"gone.asc\" does not exist (looked for gone.asc); paths are "
             "relative to the working folder");
     refused({"--over", "model.hop_base=1,1000"},
             "scene.toml:4:8: the highest sand (0.9979 heights of grid.height_unit = 1 m) would hop "
@@ -403,9 +404,9 @@ TEST_F(SweepTest, WhatIsWrongIsLocatedAndWritesNothing) {
             "shorten the hops (with model.hop_base=1000, seed 5)");
     refused({"--over", "bed.high=0:1:1000", "--over", "bed.low=0:1:1000"},
             "the sweep has more than 100000 runs; vary fewer values or seeds at once");
-    refused({"--seeds", "2", "--set", "output.measurements=false"},
-            "--set 1:21: output.measurements is false, but a sweep is what it measures; leave it "
-            "true");
+    refused(
+        {"--seeds", "2", "--set", "output.measurements=false"},
+        "--set 1:21: output.measurements is false, but a sweep needs measurements; leave it true");
 }
 
 TEST_F(SweepTest, AFullDiskFailsRunsAndLeavesNoHalfFile) {

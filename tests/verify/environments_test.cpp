@@ -53,7 +53,7 @@ TEST_F(VerifyEnvironments, ElsewhereItIsTolerant) {
     EXPECT_TRUE(contains(elsewhere.output, "), in no known environment: ")) << elsewhere.output;
     const Ended refused = verify({"b.toml", "--update", "--this-environment"});
     EXPECT_EQ(refused.status, 2);
-    EXPECT_TRUE(contains(refused.output, "cases.one names no environment that is this one ("))
+    EXPECT_TRUE(contains(refused.output, "cases.one names no environment that matches this one ("))
         << refused.output;
     EXPECT_EQ(verify({"b.toml", "--this-environment"}).status, 2);
 }

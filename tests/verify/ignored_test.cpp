@@ -110,8 +110,8 @@ TEST_F(VerifyIgnored, AMaskBesideTheBaseline) {
     write_file(folder_ / "mask.png", encode_png(some_picture(128, 79), 96.0, {}));
     EXPECT_TRUE(
         contains(verify().output,
-                 "WRONG    b map: b.toml:4:1: cases.map: ignore_mask: mask.png is no PNG of "
-                 "128 x 80 pixels, as the picture; --trust says more\n"))
+                 "WRONG    b map: b.toml:4:1: cases.map: ignore_mask: mask.png is not a PNG of "
+                 "128 x 80 pixels like the picture; --trust gives details\n"))
         << verify().output;
     EXPECT_TRUE(contains(verify({"--trust"}).output,
                          "mask.png: is a mask of 128 x 79 pixels for a picture of 128 x 80"));
@@ -128,13 +128,13 @@ TEST_F(VerifyIgnored, WrongOnesAreRefusedInALine) {
     };
     EXPECT_TRUE(contains(said("[[0, 0, 128, 40]]"),
                          "WRONG    b map: b.toml:4:1: cases.map: 50.0 % of the picture would be "
-                         "ignored, more than 30 %; leave out less\n"));
+                         "ignored, more than 30 %; ignore less\n"));
     EXPECT_TRUE(contains(said("[[0, 0, 128]]"), "b.toml:4:")) << said("[[0, 0, 128]]");
     EXPECT_TRUE(
-        contains(said("[\"tme\"]"), "no kind of overlay is called \"tme\"; did you mean \"time\"?"))
+        contains(said("[\"tme\"]"), "unknown kind of overlay \"tme\"; did you mean \"time\"?"))
         << said("[\"tme\"]");
-    EXPECT_TRUE(contains(said("[\"coordinates\"]"), "coordinates stand over the whole picture"));
-    EXPECT_TRUE(contains(said("[\"title\"]"), "no overlay \"title\" stands on its picture"));
+    EXPECT_TRUE(contains(said("[\"coordinates\"]"), "coordinates cover the whole picture"));
+    EXPECT_TRUE(contains(said("[\"title\"]"), "its picture has no overlay \"title\""));
     EXPECT_TRUE(contains(said("7"), "cases.map.ignore is a list of boxes"));
     EXPECT_TRUE(contains(said("[7]"), "cases.map.ignore takes boxes"));
     EXPECT_TRUE(contains(said("[[128, 0, 1, 1]]"), "lies outside of the picture of 128 x 80"));

@@ -128,9 +128,9 @@ TEST_F(VerifyIsolation, AnOldReportNeverSurvives) {
     write_text(folder_ / "site/index.html", "mine");
     const Ended refused = verify({"b.toml", "--junit", "j.xml", "-o", "site"});
     EXPECT_EQ(refused.status, 2);
-    EXPECT_TRUE(contains(text("j.xml"), "site/index.html: is there already")) << text("j.xml");
+    EXPECT_TRUE(contains(text("j.xml"), "site/index.html: already exists")) << text("j.xml");
     const Ended unknown = verify({"b.toml", "frist", "--junit", "j.xml"});
-    EXPECT_EQ(unknown.errors, "no case is called \"frist\"; did you mean \"first\"?\n");
+    EXPECT_EQ(unknown.errors, "no case is named \"frist\"; did you mean \"first\"?\n");
     EXPECT_TRUE(contains(text("j.xml"), "errors=\"1\"")) << text("j.xml");
 }
 

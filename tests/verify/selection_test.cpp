@@ -37,7 +37,7 @@ TEST_F(VerifySelection, NamesPatternsAndShardsChoose) {
     EXPECT_EQ(none.status, 2);
     EXPECT_EQ(none.errors, "no case has a name like \"yuong\"; did you mean \"young\"?\n");
     EXPECT_EQ(verify({"young"}).errors,
-              "fumon verify: \"young\" is no file; name a baseline (TOML), and cases behind it\n");
+              "fumon verify: \"young\" is not a file; name a baseline (TOML), then its cases\n");
     EXPECT_FALSE(has("verify-out"));
 }
 

@@ -97,8 +97,8 @@ TEST_F(Verify, WhatWasRecordedInTheBaselineItselfHoldsUntilItIsMoved) {
     const Ended old = verify();
     EXPECT_EQ(old.status, 0) << old.output;
     EXPECT_EQ(old.errors,
-              "b.toml: what is recorded stands in the baseline, as before version 0.2; `fumon "
-              "verify --update` moves it into b.lock\n");
+              "b.toml: recorded values are in the baseline, as before version 0.2; `fumon verify "
+              "--update` moves them into b.lock\n");
     const Ended update = verify({"--update"});
     EXPECT_TRUE(contains(update.output, "kept     b map: as recorded\n")) << update.output;
     EXPECT_TRUE(contains(update.output, "moved    b: what is recorded, into b.lock\n"));
@@ -116,7 +116,7 @@ TEST_F(Verify, AFigureIsACaseOfThePortableTier) {
                "scene = \"scene.toml\"\nstep = 10\n[cases]\npage = {figure = true}\n");
     accept();
     EXPECT_EQ(verify().output,
-              "ok       b page: portable (text stands in the fonts of the machine): state and "
+              "ok       b page: portable (text uses the fonts of the machine): state and "
               "pixels as recorded\n1 of 1 as recorded\n");
     write_text(folder_ / "scene.toml", small_scene() + page + "x_logarithmic = true\n");
     const Ended curve = verify();
@@ -171,8 +171,8 @@ TEST_F(Verify, LeavesAPageOfOthersAlone) {
     const Ended ended = verify({"-o", "site"});
     EXPECT_EQ(ended.status, 2);
     EXPECT_EQ(ended.errors,
-              "site/index.html: is there already, and nothing says that fumon made it; name "
-              "another output, or --force replaces it\n");
+              "site/index.html: already exists and was not made by fumon; name another output, or "
+              "replace it with --force\n");
     EXPECT_EQ(read_text(folder_ / "site/index.html"), "<!DOCTYPE html>\nmine\n");
 }
 
@@ -203,12 +203,12 @@ TEST_F(Verify, AChangedKeptPictureIsWrongInput) {
     EXPECT_EQ(ended.status, 2);
     EXPECT_TRUE(contains(ended.output,
                          "WRONG    b map: b/map.png: is not the picture that b.lock "
-                         "recorded for map; bring it back"))
+                         "recorded for map; restore it"))
         << ended.output;
     fs::remove(folder_ / "b/map.png");
     const Ended gone = verify();
     EXPECT_EQ(gone.status, 1);
-    EXPECT_TRUE(contains(gone.output, "MISSING  b map: its expected picture is not there"))
+    EXPECT_TRUE(contains(gone.output, "MISSING  b map: its expected picture is missing"))
         << gone.output;
 }
 
@@ -222,8 +222,8 @@ TEST_F(Verify, AWrongCaseIsAnErrorOfItsOwnAndTheOthersAreCompared) {
     EXPECT_EQ(wrong.status, 2);
     EXPECT_EQ(wrong.errors, "");
     EXPECT_EQ(wrong.output,
-              "WRONG    b a: b.toml:2:1: cases.a: none.toml is not there or is not sound; `fumon "
-              "check` with its path, or --trust here, says more\n"
+              "WRONG    b a: b.toml:2:1: cases.a: none.toml does not exist or is invalid; `fumon "
+              "check` with its path, or --trust here, gives details\n"
               "WRONG    b b: b.toml:3:1: cases.b: settings.1:1: unknown key sun.azimut; did you "
               "mean \"sun.azimuth\"?\n"
               "WRONG    b c: b.toml:4:28: unknown key cases.c.stop; did you mean "
@@ -264,8 +264,8 @@ TEST_F(Verify, WhatBelongsToNoCaseIsAnErrorUntilItIsRemoved) {
     const Ended orphan = verify();
     EXPECT_EQ(orphan.status, 2);
     EXPECT_TRUE(contains(orphan.output,
-                         "WRONG    b one: b.lock: recorded.one belongs to no case; bring its case "
-                         "back, or let `fumon verify --update` remove what is recorded\n"))
+                         "WRONG    b one: b.lock: recorded.one belongs to no case; restore its "
+                         "case, or remove the record with `fumon verify --update`\n"))
         << orphan.output;
     const Ended update = verify({"--update"});
     EXPECT_TRUE(contains(update.output, "removed  b one: it has no case any more\n"))

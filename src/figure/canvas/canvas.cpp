@@ -260,14 +260,14 @@ bool Canvas::uses_system_fonts() const {
 Image Canvas::image() const {
     cairo_surface_t* surface = parts_->surface.get();
     if (cairo_surface_get_type(surface) != CAIRO_SURFACE_TYPE_IMAGE)
-        throw Error("a page of lines and letters has no pixels");
+        throw Error("a vector page has no pixels");
     return image_of_cairo(surface);
 }
 
 CanvasLayer Canvas::layer() const {
     cairo_surface_t* surface = parts_->surface.get();
     if (cairo_surface_get_type(surface) != CAIRO_SURFACE_TYPE_IMAGE)
-        throw Error("a page of lines and letters has no pixels");
+        throw Error("a vector page has no pixels");
     cairo_surface_flush(surface);
     CanvasLayer layer{
         cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
@@ -299,7 +299,7 @@ void Canvas::set_metadata(FigureMetadata metadata) {
 }
 
 std::string Canvas::bytes() {
-    if (!parts_->format) throw Error("an image of pixels is no page that becomes a file");
+    if (!parts_->format) throw Error("an image canvas cannot be written as a page");
     if (*parts_->format == PageFormat::png) {
         const auto file = encode_png(image(), parts_->dots_per_inch, parts_->metadata);
         return {file.begin(), file.end()};

@@ -157,8 +157,8 @@ void Canvas::Parts::note_missing(const std::string& text) {
     if (!missing.empty() || outlines || pango_layout_get_unknown_glyphs_count(layout.get()) == 0)
         return;
     missing = fmt::format(
-        "no font here has all letters of \"{}\": boxes stand for them; Japanese ones come with "
-        "the package {}",
+        "no installed font has all letters of \"{}\": boxes appear instead; Japanese fonts come "
+        "with the package {}",
         text, letters_package);
 }
 

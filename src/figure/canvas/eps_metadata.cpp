@@ -34,7 +34,8 @@ std::string with_eps_metadata(const std::string& eps, const FigureMetadata& meta
     const std::size_t at = eps.find(date);
     const std::size_t end = eps.find(comments_end);
     if (at == std::string::npos || end == std::string::npos || at > end)
-        throw Error("cannot make an EPS file: this Cairo writes another kind of PostScript");
+        throw Error(
+            "cannot make an EPS file: the PostScript of this version of Cairo is not supported");
     const std::size_t after = eps.find('\n', at) + 1;
     std::string made = eps.substr(0, at);
     const PdfMetadata texts = pdf_metadata(metadata);

@@ -44,7 +44,7 @@ std::string to_xml(std::string_view text) {
         }
         if (static_cast<unsigned char>(c) < 32)
             throw Error(
-                "the metadata of a figure cannot stand in an SVG file: it holds a control "
+                "cannot write the figure's metadata into an SVG file: they contain a control "
                 "character");
         xml += c;
     }

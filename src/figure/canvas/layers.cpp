@@ -10,8 +10,8 @@ namespace fumon {
 
 namespace {
 
-constexpr double shadow_strength = 2.2;  // the edges of letters are to stand on full shadow
-constexpr double darkest_shadow = 0.72;
+constexpr double shadow_strength_ratio = 2.2;  // the edges of letters are to stand on full shadow
+constexpr double most_shadow_opacity = 0.72;
 
 /// Means over 2·radius + 1 numbers, `count` of them `stride` apart; 0 beyond both ends.
 void blur_line(float* line, int count, std::ptrdiff_t stride, int radius,
@@ -86,8 +86,8 @@ CanvasLayer with_soft_shadow(const CanvasLayer& layer, int radius) {
     }
     CanvasLayer whole = layer;
     for (std::size_t i = 0; i < shadow.size(); ++i) {
-        const double dark =
-            std::min(darkest_shadow, shadow_strength * static_cast<double>(shadow[i]) / 255.0);
+        const double dark = std::min(
+            most_shadow_opacity, shadow_strength_ratio * static_cast<double>(shadow[i]) / 255.0);
         const std::uint32_t opacity = layer.pixels[i] >> 24U;
         const double below = dark * (255.0 - opacity);
         const auto alpha = static_cast<std::uint32_t>(std::lround(opacity + below));

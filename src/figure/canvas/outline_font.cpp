@@ -48,7 +48,7 @@ class Words {
 
     [[noreturn]] void fail(std::string_view word) const {
         throw InputError(
-            fmt::format("{}:{}: '{}' does not belong into a font", source_, number_, word));
+            fmt::format("{}:{}: '{}' is not valid in a font file", source_, number_, word));
     }
 
   private:

@@ -19,7 +19,7 @@ namespace fumon {
 namespace {
 
 [[noreturn]] void refuse() {
-    throw Error("cannot make a PDF/A file: this Cairo writes another kind of PDF");
+    throw Error("cannot make a PDF/A file: the PDF of this version of Cairo is not supported");
 }
 
 std::size_t number_at(std::string_view text) {

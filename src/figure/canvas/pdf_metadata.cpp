@@ -71,7 +71,7 @@ PdfMetadata pdf_metadata(const FigureMetadata& metadata) {
         return {metadata_text(metadata, "Title"), metadata_text(metadata, "Software"),
                 std::move(keywords)};
     } catch (const nlohmann::json::exception&) {
-        throw Error("the metadata of a figure cannot stand in a PDF file: they are not UTF-8");
+        throw Error("cannot write the figure's metadata into a PDF file: they are not UTF-8");
     }
 }
 

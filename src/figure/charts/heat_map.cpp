@@ -16,8 +16,8 @@ namespace fumon {
 
 namespace {
 
-constexpr double text_size = 0.8;  // of cells' texts, font sizes
-constexpr double text_room = 0.9;  // of a cell, which its text takes at most
+constexpr double text_size_em = 0.8;     // of cells' texts, font sizes
+constexpr double text_room_share = 0.9;  // of a cell, which its text takes at most
 
 /// A place among cells, −½ … count − ½, as a share of the side.
 double share_of(const HeatAxis& axis, double place) {
@@ -157,7 +157,7 @@ void HeatMapPanel::draw_cells(Canvas& canvas, const CanvasBox& frame) const {
 /// All texts in one size, in which the longest fits its cell.
 void HeatMapPanel::draw_texts(Canvas& canvas, const CanvasBox& frame) const {
     if (map_.texts.empty()) return;
-    double size = text_size;
+    double size = text_size_em;
     const auto text_of = [this](int x, int y) -> const std::string& {
         return map_.texts[static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.values.nx()) +
                           static_cast<std::size_t>(x)];
@@ -166,9 +166,9 @@ void HeatMapPanel::draw_texts(Canvas& canvas, const CanvasBox& frame) const {
         for (int x = 0; x < map_.values.nx(); ++x) {
             if (text_of(x, y).empty()) continue;
             const CanvasBox box = cell_box(frame, x, y);
-            const auto [width, height] = canvas.text_size(text_of(x, y), text_size);
-            size = std::min({size, text_size * text_room * box.width / width,
-                             text_size * text_room * box.height / height});
+            const auto [width, height] = canvas.text_size(text_of(x, y), text_size_em);
+            size = std::min({size, text_size_em * text_room_share * box.width / width,
+                             text_size_em * text_room_share * box.height / height});
         }
     }
     for (int y = 0; y < map_.values.ny(); ++y) {

@@ -30,7 +30,7 @@ struct OverlayPiece {
     FurnitureSize size;  ///< pixels
 };
 
-constexpr std::size_t corners = 6;
+constexpr std::size_t corner_count = 6;
 
 bool is_lower(OverlayCorner corner) {
     return corner == OverlayCorner::lower_left || corner == OverlayCorner::lower_middle ||
@@ -49,11 +49,11 @@ double place_across(OverlayCorner corner) {
 std::vector<CanvasBox> stacked_boxes(std::span<const OverlayPiece> pieces, double width,
                                      double height, double gap) {
     const double edge = std::round(gap);
-    std::array<double, corners> heights{};
+    std::array<double, corner_count> heights{};
     for (const OverlayPiece& piece : pieces)
         heights.at(static_cast<std::size_t>(piece.corner)) += std::ceil(piece.size.height) + edge;
-    std::array<double, corners> next{};  // the top of each corner's next piece
-    for (std::size_t corner = 0; corner < corners; ++corner)
+    std::array<double, corner_count> next{};  // the top of each corner's next piece
+    for (std::size_t corner = 0; corner < corner_count; ++corner)
         next.at(corner) =
             is_lower(static_cast<OverlayCorner>(corner)) ? height - heights.at(corner) : edge;
     std::vector<CanvasBox> boxes;
@@ -82,12 +82,12 @@ std::size_t first_misfit(std::span<const CanvasBox> boxes, double width, double 
     return boxes.size();
 }
 
-constexpr double plate_padding = 0.45;       // of the plate around an overlay, font sizes
-constexpr double plate_corner_radius = 0.3;  // radius of the plate's corners
-constexpr double plate_gap = 0.55;  // between plates, and from the edges, of the usual font size
-constexpr double least_font = 6.0;
-constexpr double small_texts = 0.75;  // of an overlay that fills the picture
-constexpr double shrinking = 0.93;    // from one try to the next
+constexpr double plate_padding_em = 0.45;       // of the plate around an overlay, font sizes
+constexpr double plate_corner_radius_em = 0.3;  // radius of the plate's corners
+constexpr double plate_gap_em = 0.55;  // between plates, and from the edges, of the usual font size
+constexpr double least_font_size_pixels = 6.0;
+constexpr double small_text_ratio = 0.75;  // of an overlay that fills the picture
+constexpr double shrink_ratio = 0.93;      // from one try to the next
 
 std::unique_ptr<Overlay> make_overlay(const OverlayScene& on, std::size_t number) {
 #define FUMON_MAKER(name, word, shows, help) make_##name##_overlay,
@@ -146,11 +146,11 @@ struct FrameOverlays::DrawnOverlay {
         Canvas canvas(static_cast<int>(place.box.width), static_cast<int>(place.box.height),
                       place.font_size, CanvasGround::transparent);
         const bool fills = overlay->fills_picture();
-        const double padding = plate_padding * place.font_size;
+        const double padding = plate_padding_em * place.font_size;
         const double room = fills ? 0.0 : padding;
         if (opacity > 0.0 && !fills) {
             draw_rounded(canvas, place.box.width, place.box.height,
-                         plate_corner_radius * place.font_size, {1.0, 1.0, 1.0, opacity});
+                         plate_corner_radius_em * place.font_size, {1.0, 1.0, 1.0, opacity});
         }
         overlay->draw(canvas,
                       {room, room, place.box.width - 2.0 * room, place.box.height - 2.0 * room},
@@ -188,8 +188,8 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
     const auto width = static_cast<double>(scene.view.image.width);
     const auto height = static_cast<double>(scene.view.image.height);
     const double usual = usual_font(scene.view.image);
-    for (double font = usual;; font *= shrinking) {
-        const double tried = std::max(font, least_font);
+    for (double font = usual;; font *= shrink_ratio) {
+        const double tried = std::max(font, least_font_size_pixels);
         std::vector<OverlayPiece> pieces;
         pieces.reserve(placed_.size());
         for (std::size_t i = 0; i < placed_.size(); ++i) {
@@ -198,29 +198,31 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
             const Canvas ruler(1, 1, placed_[i].font_size);
             const FurnitureSize size = drawn_[i].overlay->size(ruler);
             system_fonts_ = system_fonts_ || ruler.uses_system_fonts();
-            const double room = 2.0 * plate_padding * placed_[i].font_size;
+            const double room = 2.0 * plate_padding_em * placed_[i].font_size;
             pieces.push_back({settings.corner, {size.width + room, size.height + room}});
         }
         const auto boxes =
-            stacked_boxes(pieces, width, height, std::max(plate_gap * tried, style.edge));
+            stacked_boxes(pieces, width, height, std::max(plate_gap_em * tried, style.edge));
         const std::size_t misfit = first_misfit(boxes, width, height);
         if (misfit == boxes.size()) {
             for (std::size_t i = 0; i < boxes.size(); ++i) placed_[i].box = boxes[i];
             for (std::size_t i = 0; i < over_all_.size(); ++i) {
                 const WordOrReal& size = overlays[over_all_placed_[i].number].font_size;
-                over_all_placed_[i].font_size = size.is_word() ? small_texts * usual : size.value;
+                over_all_placed_[i].font_size =
+                    size.is_word() ? small_text_ratio * usual : size.value;
                 over_all_placed_[i].box = {0.0, 0.0, width, height};
                 over_all_[i].overlay->avoid_boxes(boxes, over_all_[i].opacity);
             }
             return;
         }
-        if (font > least_font) continue;
+        if (font > least_font_size_pixels) continue;
         const std::size_t number = placed_[misfit].number;
         throw KeyError(
             overlay_key(number, overlays[number].font_size.is_word() ? "kind" : "font_size"),
-            fmt::format("overlay.{} has no room in a picture of {} x {} pixels beside those before "
-                        "it; take another corner, a smaller size or font_size, or a larger image",
-                        number, scene.view.image.width, scene.view.image.height));
+            fmt::format(
+                "overlay.{} does not fit into a picture of {} x {} pixels beside the overlays "
+                "before it; take another corner, a smaller size or font_size, or a larger image",
+                number, scene.view.image.width, scene.view.image.height));
     }
 }
 

@@ -112,7 +112,7 @@ std::unique_ptr<Overlay> make_colour_bar_overlay(const OverlayScene& on, std::si
     if (scene.view.look.colour_by == Colouring::natural) {
         throw KeyError(
             overlay_key(number, "kind"),
-            fmt::format("overlay.{} is a colour bar, and natural colours mean no quantity; take "
+            fmt::format("overlay.{} is a colour bar, and natural colours show no quantity; take "
                         "look.colour_by = \"height\" or another one",
                         number));
     }

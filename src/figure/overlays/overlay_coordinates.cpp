@@ -165,7 +165,7 @@ std::unique_ptr<Overlay> make_coordinates_overlay(const OverlayScene& on, std::s
     if (profile || endless) {
         throw KeyError(
             overlay_key(number, "kind"),
-            fmt::format("overlay.{} has the coordinates along a map or a block; {}", number,
+            fmt::format("overlay.{} shows coordinates along a map or a block; {}", number,
                         endless ? "this ground is endless" : "this bed is a profile"));
     }
     return std::make_unique<CoordinatesOverlay>(on);

@@ -19,7 +19,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double longest_bar_of_picture = 0.2;  // of the picture's width
+constexpr double longest_bar_share_of_picture = 0.2;  // of the picture's width
 
 class ScaleBarOverlay : public Overlay {
   public:
@@ -46,7 +46,7 @@ class ScaleBarOverlay : public Overlay {
 
   private:
     [[nodiscard]] double longest() const {
-        return longest_bar_of_picture * static_cast<double>(view_.image.width);
+        return longest_bar_share_of_picture * static_cast<double>(view_.image.width);
     }
     [[nodiscard]] ScaleBar bar(const Camera& camera, const View& view) const {
         ScaleBar made =
@@ -95,8 +95,9 @@ class ArrowOverlay : public Overlay {
           winds_(direction_ || flat_ ? std::vector<GroundWind>() : ground_winds(on.first)) {
         if (!flat_) block_ = framed_block(view_, on.shown);
         if (flat_ && !direction_) {
-            throw KeyError(overlay_key(number, "kind"),
-                           fmt::format("overlay.{} shows the wind, and there is none", number));
+            throw KeyError(
+                overlay_key(number, "kind"),
+                fmt::format("overlay.{} shows the wind, but this scene has none", number));
         }
     }
 

@@ -25,7 +25,8 @@ namespace {
 
 constexpr double map_rim_share = 0.16;       // of its longer side, for cameras that stand outside
 constexpr double sight_length_share = 0.34;  // of its longer side
-constexpr double least_level_sight = 0.2;    // of a look's length: steeper ones have no direction
+constexpr double least_level_sight_share =
+    0.2;  // of a look's length: steeper ones have no direction
 constexpr std::array<double, 3> sand{232.0, 215.0, 184.0};
 constexpr Ink sight_ink{0.75, 0.16, 0.08, 0.30};
 constexpr Ink camera_ink{0.75, 0.16, 0.08, 1.0};
@@ -169,7 +170,7 @@ class InsetMapOverlay : public Overlay {
                              std::clamp(map.y + length_ * (0.5 * block_.width_y - eye.y),
                                         box.y + dot, box.bottom() - dot)};
         const glm::dvec2 ahead(camera.forward);
-        if (glm::length(ahead) > least_level_sight) {
+        if (glm::length(ahead) > least_level_sight_share) {
             constexpr int rays = 12;
             const double half = camera.perspective ? std::min(camera.half.x, 3.0) : 0.15;
             std::vector<CanvasPoint> wedge{at};
@@ -204,8 +205,8 @@ std::unique_ptr<Overlay> make_inset_map_overlay(const OverlayScene& on, std::siz
     const bool from_above = on.scene.view.camera.projection == Projection::map && !on.camera_moves;
     if (on.flat || on.first.section || on.first.bed.ny() < 2 || from_above) {
         throw KeyError(overlay_key(number, "kind"),
-                       fmt::format("overlay.{} is a map of where the camera stands; {}", number,
-                                   from_above ? "this picture is a map itself"
+                       fmt::format("overlay.{} is a map of the camera's position; {}", number,
+                                   from_above ? "this picture is already a map"
                                               : "this bed is a profile, which has no map"));
     }
     return std::make_unique<InsetMapOverlay>(on, on.scene.view.overlays[number]);

@@ -19,7 +19,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double plot_text = 0.8;          // of the overlays' font size
+constexpr double plot_text_size_em = 0.8;  // of the overlays' font size
 constexpr double plot_height_share = 0.6;  // of its width
 constexpr Ink curve{0.0, 0.28, 0.55, 1.0};
 
@@ -90,7 +90,7 @@ class LivePlot : public Overlay {
 
     [[nodiscard]] FurnitureSize size(const Canvas& canvas) const override {
         // Where a small picture leaves no room for the axes, the plot cannot be smaller.
-        const double font = plot_text * canvas.font_size();
+        const double font = plot_text_size_em * canvas.font_size();
         return {std::max(width_, least_width * font),
                 std::max(plot_height_share * width_, least_height * font)};
     }
@@ -100,7 +100,7 @@ class LivePlot : public Overlay {
     }
     void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const override {
         const double outer_font = canvas.font_size();
-        canvas.set_font_size(plot_text * outer_font);
+        canvas.set_font_size(plot_text_size_em * outer_font);
         canvas.set_line_width(std::max(1.0, 0.06 * canvas.font_size()));
         const double font = canvas.font_size();
         const auto [length, height] = canvas.text_size(heading_);

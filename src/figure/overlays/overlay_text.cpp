@@ -23,8 +23,8 @@ namespace fumon {
 
 namespace {
 
-constexpr double parameter_text = 0.85;  // of the font size
-constexpr double title_text = 1.15;
+constexpr double parameter_text_size_em = 0.85;  // of the font size
+constexpr double title_text_size_em = 1.15;
 
 /// Seconds of a step, or grains of a pile's, where the model's parameters say them.
 std::optional<double> length_of_step(const Scene& scene) {
@@ -140,14 +140,14 @@ class ParameterLine : public Overlay {
     }
 
     [[nodiscard]] FurnitureSize size(const Canvas& canvas) const override {
-        const auto size = canvas.text_size(broken(canvas), parameter_text);
+        const auto size = canvas.text_size(broken(canvas), parameter_text_size_em);
         return {size[0], size[1]};
     }
     [[nodiscard]] std::string appearance_in(const OverlayFrame& /*frame*/) const override {
         return "";
     }
     void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& /*frame*/) const override {
-        canvas.write(broken(canvas), {box.x, box.y}, {0.0, 0.0}, black_ink, parameter_text);
+        canvas.write(broken(canvas), {box.x, box.y}, {0.0, 0.0}, black_ink, parameter_text_size_em);
     }
 
   private:
@@ -156,7 +156,7 @@ class ParameterLine : public Overlay {
         std::string line;
         for (const std::string& part : parts_) {
             const std::string longer = line.empty() ? part : fmt::format("{},  {}", line, part);
-            if (!line.empty() && canvas.text_size(longer, parameter_text)[0] > widest_) {
+            if (!line.empty() && canvas.text_size(longer, parameter_text_size_em)[0] > widest_) {
                 text += line + ",\n";
                 line = part;
             } else {
@@ -182,9 +182,10 @@ std::string TimeText::in(const std::string& wanted, double time) const {
     if (!factor) {
         throw InputError(
             unit == "steps"
-                ? fmt::format("{{time:{}}}: this model counts steps and knows no time", wanted)
-                : fmt::format("{{time:{}}}: a time in {} is told in µs, ms, s, min, h, d or yr",
-                              wanted, unit));
+                ? fmt::format("{{time:{}}}: this model counts steps and has no time", wanted)
+                : fmt::format(
+                      "{{time:{}}}: a time in {} can be shown in µs, ms, s, min, h, d or yr",
+                      wanted, unit));
     }
     constexpr int most_decimals = 2;
     TimeText own = *this;
@@ -221,12 +222,13 @@ std::string filled_text(const std::string& text, const Scene& scene, const TimeT
 std::unique_ptr<Overlay> make_title_overlay(const OverlayScene& on, std::size_t number) {
     const std::string text = chosen_text(on, number, "{title}");
     if (text == "{title}" && on.scene.title.empty()) {
-        throw KeyError(overlay_key(number, "kind"),
-                       fmt::format("overlay.{} shows the scene's title, and there is none; write "
-                                   "title = \"…\" or overlay.{}.text",
-                                   number, number));
+        throw KeyError(
+            overlay_key(number, "kind"),
+            fmt::format("overlay.{} shows the scene's title, but the scene has none; write "
+                        "title = \"…\" or overlay.{}.text",
+                        number, number));
     }
-    return std::make_unique<TextOverlay>(on, number, text, title_text, true);
+    return std::make_unique<TextOverlay>(on, number, text, title_text_size_em, true);
 }
 
 std::unique_ptr<Overlay> make_time_overlay(const OverlayScene& on, std::size_t number) {

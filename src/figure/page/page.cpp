@@ -16,21 +16,22 @@ namespace fumon {
 
 namespace {
 
-constexpr double title_size = 1.2;     // font sizes
-constexpr double title_line = 2.2;     // with the gap below it
-constexpr double heading_line = 1.6;   // likewise
-constexpr double heading_gap = 0.3;    // below it
-constexpr double smallest_text = 0.6;  // of its size, to which a title shrinks that is too long
-constexpr double millimetre = 72.0 / 25.4;
+constexpr double title_size_em = 1.2;    // font sizes
+constexpr double title_line_em = 2.2;    // with the gap below it
+constexpr double heading_line_em = 1.6;  // likewise
+constexpr double heading_gap_em = 0.3;   // below it
+constexpr double least_title_size_ratio =
+    0.6;  // of its size, to which a title shrinks that is too long
+constexpr double points_per_millimetre = 72.0 / 25.4;
 
 struct NamedSize {
     const char* name;
     PageSize size;
 };
 constexpr std::array<NamedSize, 3> named_sizes{
-    {{"single", {85.0 * millimetre, 0.0}},
-     {"double", {175.0 * millimetre, 0.0}},
-     {"slide", {254.0 * millimetre, 142.9 * millimetre}}}};
+    {{"single", {85.0 * points_per_millimetre, 0.0}},
+     {"double", {175.0 * points_per_millimetre, 0.0}},
+     {"slide", {254.0 * points_per_millimetre, 142.9 * points_per_millimetre}}}};
 
 bool has_letters(const Page& page) {
     return page.letters && page.panels.size() > 1;
@@ -50,16 +51,16 @@ PageSize page_size(std::string_view name) {
         if (name == one.name) return one.size;
         known.emplace_back(one.name);
     }
-    throw InputError(fmt::format("no page is called \"{}\"; {}", name, suggestion(name, known)));
+    throw InputError(fmt::format("unknown page \"{}\"; {}", name, suggestion(name, known)));
 }
 
 double heading_height(const Page& page, std::size_t n) {
     const bool any = has_letters(page) || !page.panels[n].title.empty();
-    return any ? heading_line * page.font_size : 0.0;
+    return any ? heading_line_em * page.font_size : 0.0;
 }
 
 double title_height(const Page& page) {
-    return page.title.empty() ? 0.0 : title_line * page.font_size;
+    return page.title.empty() ? 0.0 : title_line_em * page.font_size;
 }
 
 CanvasBox inset_box(const PageInset& inset, const CanvasBox& frame, double gap) {
@@ -74,14 +75,15 @@ CanvasBox inset_box(const PageInset& inset, const CanvasBox& frame, double gap) 
 void check_texts(const Page& page, const PageLayout& layout, const Canvas& canvas) {
     const auto check = [&canvas](const std::string& text, double size, double longest) {
         const double length = canvas.text_size(text, size)[0];
-        if (smallest_text * length > longest)
+        if (least_title_size_ratio * length > longest)
             throw InputError(
-                fmt::format("the title \"{}\" is too long for its place: {:.0f} of "
-                            "{:.0f} mm; shorten it, or give a larger page or a "
+                fmt::format("the title \"{}\" is too long: it needs {:.0f} mm, and {:.0f} mm are "
+                            "free; shorten it, or give a larger page or a "
                             "smaller font",
-                            text, length / millimetre, std::max(longest, 0.0) / millimetre));
+                            text, length / points_per_millimetre,
+                            std::max(longest, 0.0) / points_per_millimetre));
     };
-    check(page.title, title_size, page.width - 2.0 * page.margin);
+    check(page.title, title_size_em, page.width - 2.0 * page.margin);
     for (std::size_t n = 0; n < page.panels.size(); ++n)
         check(page.panels[n].title, 1.0, layout.heading_widths[n] - letter_length(page, canvas, n));
 }
@@ -91,19 +93,19 @@ void draw_page(const Page& page, const PageLayout& layout, Canvas& canvas) {
     canvas.set_line_width(page.line_width);
     if (!page.title.empty())
         write_within(canvas, page.title, page.width - 2.0 * page.margin,
-                     {0.5 * page.width, page.margin}, {0.5, 0.0}, title_size);
+                     {0.5 * page.width, page.margin}, {0.5, 0.0}, title_size_em);
     for (std::size_t n = 0; n < page.panels.size(); ++n) {
         const PagePanel& panel = page.panels[n];
         panel.content->draw(canvas, layout.frames[n]);
         const CanvasPoint at{layout.headings[n].x,
-                             layout.headings[n].y - heading_gap * page.font_size};
+                             layout.headings[n].y - heading_gap_em * page.font_size};
         const double letter = letter_length(page, canvas, n);
         if (letter > 0.0)
             canvas.write(panel_letter(n), at, {0.0, 1.0}, black_ink, 1.0, false, true);
         if (!panel.title.empty())
             write_within(canvas, panel.title, layout.heading_widths[n] - letter,
                          {at.x + letter, at.y}, {0.0, 1.0}, 1.0);
-        canvas.set_font_size(inset_font * page.font_size);
+        canvas.set_font_size(inset_font_ratio * page.font_size);
         for (std::size_t i = 0; i < panel.insets.size(); ++i) {
             const PanelContent& content = *panel.insets[i].content;
             const CanvasBox& frame = layout.insets[n][i];

@@ -41,11 +41,11 @@ std::vector<GridSpan> grid_spans(const Page& page) {
         const PagePanel& panel = page.panels[n];
         const bool automatic = panel.row < 0 && panel.column < 0;
         if (!automatic && (panel.row < 0 || panel.column < 0))
-            throw InputError(
-                fmt::format("panel {} has a row or a column, but not both", panel_name(page, n)));
+            throw InputError(fmt::format("panel {} has only one of row and column; give both",
+                                         panel_name(page, n)));
         if (panel.rows < 1 || panel.columns < 1 ||
             std::max(panel.column, 0) + panel.columns > page.columns)
-            throw InputError(fmt::format("panel {} does not stand in the page's {} columns",
+            throw InputError(fmt::format("panel {} does not fit into the page's {} columns",
                                          panel_name(page, n), page.columns));
         GridSpan place{std::max(panel.row, 0), std::max(panel.column, 0), panel.rows,
                        panel.columns};
@@ -56,7 +56,7 @@ std::vector<GridSpan> grid_spans(const Page& page) {
         }
         if (!is_free(taken, place))
             throw InputError(
-                fmt::format("panel {} stands where another one does (row {}, column "
+                fmt::format("panel {} overlaps another panel (row {}, column "
                             "{}, counted from 0)",
                             panel_name(page, n), place.row, place.column));
         take(taken, place);

@@ -17,10 +17,10 @@ namespace {
 
 using Lengths = std::vector<double>;
 
-constexpr double narrowest_frame = 3.5;  // font sizes
-constexpr double lowest_frame = 3.0;
-constexpr double least_weight = 0.3;  // of a column's width, of the widest one's
-constexpr double inset_gap = 0.5;     // font sizes between an inset and its panel's frame
+constexpr double least_frame_width_em = 3.5;  // font sizes
+constexpr double least_frame_height_em = 3.0;
+constexpr double least_column_weight_ratio = 0.3;  // of a column's width, of the widest one's
+constexpr double inset_gap_em = 0.5;  // font sizes between an inset and its panel's frame
 
 double sum(const Lengths& lengths) {
     return std::accumulate(lengths.begin(), lengths.end(), 0.0);
@@ -154,7 +154,8 @@ class Solver {
             if (count[i] > 0) weights[i] = elementary::exp(logarithms[i] / count[i]);
         }
         const double widest = *std::max_element(weights.begin(), weights.end());
-        for (double& weight : weights) weight = std::max(weight, least_weight * widest);
+        for (double& weight : weights)
+            weight = std::max(weight, least_column_weight_ratio * widest);
         return weights;
     }
 
@@ -296,7 +297,8 @@ class Solver {
                 frame.height = frame.width / aspect(n);
                 frame.x += 0.5 * (cell.width - frame.width);
             }
-            if (frame.width < narrowest_frame * font() || frame.height < lowest_frame * font())
+            if (frame.width < least_frame_width_em * font() ||
+                frame.height < least_frame_height_em * font())
                 refuse(n, frame);
             layout_.frames.push_back(frame);
             layout_.heading_widths.push_back(
@@ -307,9 +309,9 @@ class Solver {
     /// The frame of an inset within its panel's.
     [[nodiscard]] CanvasBox inset_frame(std::size_t n, const PageInset& inset) {
         const CanvasBox& frame = layout_.frames[n];
-        const double gap = inset_gap * font();
+        const double gap = inset_gap_em * font();
         const CanvasBox box = inset_box(inset, frame, gap);
-        canvas_.set_font_size(inset_font * font());
+        canvas_.set_font_size(inset_font_ratio * font());
         CanvasBox inner = box;
         PanelMargins margins;
         const double ratio = inset.content->aspect();
@@ -321,7 +323,8 @@ class Solver {
                 inner.width = std::min(inner.width, inner.height * ratio);
                 inner.height = inner.width / ratio;
             }
-            if (inner.width < lowest_frame * font() || inner.height < lowest_frame * font())
+            if (inner.width < least_frame_height_em * font() ||
+                inner.height < least_frame_height_em * font())
                 refuse(n, inner);
             const PanelMargins needed = inset.content->margins(canvas_, inner.width, inner.height);
             if (turn > 1 && !grew(margins, needed)) break;

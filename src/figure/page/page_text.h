@@ -5,7 +5,7 @@
 namespace fumon {
 
 /// The font size within insets, of the page's.
-constexpr double inset_font = 0.85;
+constexpr double inset_font_ratio = 0.85;
 
 /// The room above a panel's own margin for its letter and title, points.
 double heading_height(const Page& page, std::size_t n);

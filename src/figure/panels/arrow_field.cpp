@@ -16,9 +16,9 @@ namespace fumon {
 
 namespace {
 
-constexpr double arrow_key_text = 0.85;
-constexpr double longest = 0.9;  // of the distance of neighbouring arrows
-constexpr double above = 0.8;    // the reference's middle over the frame, font sizes
+constexpr double arrow_key_text_size_em = 0.85;
+constexpr double longest_arrow_share = 0.9;  // of the distance of neighbouring arrows
+constexpr double reference_height_em = 0.8;  // the reference's middle over the frame, font sizes
 
 void draw_arrow(Canvas& canvas, const CanvasPoint& tail, double dx, double dy) {
     const double font = canvas.font_size();
@@ -50,7 +50,7 @@ ArrowGrid arrow_grid(const Canvas& canvas, const CanvasBox& frame, const ArrowFi
     ArrowGrid grid;
     grid.columns = truncated_within(frame.width / (field.apart_x * font), 4, most_arrows);
     grid.rows = truncated_within(frame.height / (field.apart_y * font), 2, most_arrows);
-    grid.units_per_speed = longest * frame.width / grid.columns / field.fastest;
+    grid.units_per_speed = longest_arrow_share * frame.width / grid.columns / field.fastest;
     return grid;
 }
 
@@ -86,9 +86,10 @@ double draw_reference_arrow(Canvas& canvas, const Axes& axes, const ArrowField& 
     const CanvasBox& frame = axes.frame();
     const double speed = round_length(field.fastest);
     const std::string text = fmt::format("{:g} {}", speed, field.unit);
-    const double y = frame.y - above * font;
-    const double width = std::min(canvas.text_size(text, arrow_key_text)[0], 0.3 * frame.width);
-    write_within(canvas, text, width, {frame.right(), y}, {1.0, 0.5}, arrow_key_text);
+    const double y = frame.y - reference_height_em * font;
+    const double width =
+        std::min(canvas.text_size(text, arrow_key_text_size_em)[0], 0.3 * frame.width);
+    write_within(canvas, text, width, {frame.right(), y}, {1.0, 0.5}, arrow_key_text_size_em);
     const double length = arrow_grid(canvas, frame, field).units_per_speed * speed;
     draw_arrow(canvas, {frame.right() - width - 0.4 * font - length, y}, length, 0.0);
     return width + 0.8 * font + length;

@@ -24,8 +24,8 @@ struct ArrowField {
 void draw_arrow_field(Canvas& canvas, const Axes& axes, const ArrowField& field);
 
 /// Draws an arrow of a round speed with that speed above the frame's right end, within
-/// reference_arrow_room font sizes of it. Returns the width that it takes, units.
+/// reference_arrow_room_em font sizes of it. Returns the width that it takes, units.
 double draw_reference_arrow(Canvas& canvas, const Axes& axes, const ArrowField& field);
-constexpr double reference_arrow_room = 1.5;
+constexpr double reference_arrow_room_em = 1.5;
 
 }  // namespace fumon

@@ -11,8 +11,8 @@ namespace fumon {
 
 namespace {
 
-constexpr double plate_room = 0.18;   // around a text, font sizes
-constexpr double least_change = 0.5;  // of an edge's length, in a coordinate that it shows
+constexpr double plate_room_em = 0.18;      // around a text, font sizes
+constexpr double least_change_share = 0.5;  // of an edge's length, in a coordinate that it shows
 
 /// A lower edge of the block, from a corner to the next one counter-clockwise, block lengths.
 struct Edge {
@@ -37,7 +37,7 @@ struct Edge {
     }
     [[nodiscard]] bool shows(bool east) const {
         const glm::dvec2 along = glm::abs(to - from);
-        return (east ? along.x : along.y) >= least_change * glm::length(along);
+        return (east ? along.x : along.y) >= least_change_share * glm::length(along);
     }
 };
 
@@ -170,7 +170,7 @@ BlockCoordinates block_coordinates(const ViewProjection& view, const WorldScale&
 
 void draw_coordinate_marks(Canvas& canvas, std::span<const CoordinateMark> marks, double plate) {
     for (const CoordinateMark& mark : marks) {
-        const CanvasBox box = grown(mark.box, plate_room * canvas.font_size());
+        const CanvasBox box = grown(mark.box, plate_room_em * canvas.font_size());
         if (plate > 0.0) canvas.fill(box, {1.0, 1.0, 1.0, plate});
         canvas.stroke(std::array{mark.from, mark.to}, canvas.line_width(), coordinate_ink);
         canvas.write(mark.text, mark.box.middle(), {0.5, 0.5}, black_ink, 1.0, mark.upright);

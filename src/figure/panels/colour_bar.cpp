@@ -13,18 +13,18 @@ namespace fumon {
 
 namespace {
 
-constexpr double bar_tick_text = 0.85;  // of the font size, as are those below
-constexpr double bar_label_text = 0.95;
-constexpr double tick_mark = 0.25;
-constexpr double to_tick_text = 0.4;
-constexpr double to_label = 0.25;
-constexpr double beyond_ends = 0.2;  // by which a label may be longer than its bar
-constexpr int most_ticks = 8;
-constexpr double bar_width = 0.9;
-constexpr double from_frame = 0.8;
-constexpr double to_bar_below = 0.5;
+constexpr double bar_tick_text_size_em = 0.85;  // of the font size, as are those below
+constexpr double bar_label_text_size_em = 0.95;
+constexpr double tick_mark_em = 0.25;
+constexpr double tick_text_gap_em = 0.4;
+constexpr double label_gap_em = 0.25;
+constexpr double label_overhang_em = 0.2;  // by which a label may be longer than its bar
+constexpr int most_tick_count = 8;
+constexpr double bar_width_em = 0.9;
+constexpr double frame_gap_em = 0.8;
+constexpr double bar_below_gap_em = 0.5;
 
-constexpr double triangle_length = 0.8;  // of the bar's width
+constexpr double triangle_length_ratio = 0.8;  // of the bar's width
 
 /// A bar's ticks, the room that their texts take, and how its label is written.
 struct BarLayout {
@@ -32,7 +32,7 @@ struct BarLayout {
     double widest = 0.0;
     double highest = 0.0;
     std::string label;  ///< in one line or two
-    double label_size = bar_label_text;
+    double label_size = bar_label_text_size_em;
     double label_height = 0.0;
 };
 
@@ -84,18 +84,19 @@ BarLayout lay_out_bar(const Canvas& canvas, double length, const ColourScale& sc
     const double font = canvas.font_size();
     const bool upright = direction == BarDirection::upright;
     BarLayout layout;
-    int most = std::clamp(static_cast<int>(length / ((upright ? 1.5 : 2.2) * font)), 2, most_ticks);
+    int most =
+        std::clamp(static_cast<int>(length / ((upright ? 1.5 : 2.2) * font)), 2, most_tick_count);
     for (;; --most) {
         layout.ticks =
             scale.classes.empty() ? linear_ticks(scale.low, scale.high, most) : class_ticks(scale);
         if (scale.ends_labelled && scale.classes.empty()) {
-            const double label = upright ? 1.3 * canvas.text_size("0", bar_tick_text)[1]
+            const double label = upright ? 1.3 * canvas.text_size("0", bar_tick_text_size_em)[1]
                                          : layout.widest + 0.6 * font;
             layout.ticks = with_ends(layout.ticks, scale, most, std::min(label / length, 0.5));
         }
         layout.widest = 0.0;
         for (const std::string& label : layout.ticks.labels) {
-            const auto [width, height] = canvas.text_size(label, bar_tick_text);
+            const auto [width, height] = canvas.text_size(label, bar_tick_text_size_em);
             layout.widest = std::max(layout.widest, width);
             layout.highest = std::max(layout.highest, height);
         }
@@ -103,19 +104,19 @@ BarLayout lay_out_bar(const Canvas& canvas, double length, const ColourScale& sc
         if (upright || most <= 2 || count * (layout.widest + 0.6 * font) <= length) break;
     }
     if (scale.label.empty()) return layout;
-    const double longest = length + 2.0 * beyond_ends * font;
-    layout.label = in_two_lines(canvas, scale.label, longest, bar_label_text);
-    const auto [width, height] = canvas.text_size(layout.label, bar_label_text);
+    const double longest = length + 2.0 * label_overhang_em * font;
+    layout.label = in_two_lines(canvas, scale.label, longest, bar_label_text_size_em);
+    const auto [width, height] = canvas.text_size(layout.label, bar_label_text_size_em);
     const double shrink = std::min(1.0, longest / width);
-    layout.label_size = bar_label_text * shrink;
-    layout.label_height = height * shrink + to_label * font;
+    layout.label_size = bar_label_text_size_em * shrink;
+    layout.label_height = height * shrink + label_gap_em * font;
     return layout;
 }
 
 /// A triangle in the end colour, pointing beyond the bar's end.
 void draw_triangle(Canvas& canvas, const CanvasBox& bar, const ColourScale& scale, bool upright,
                    bool at_high, const Ink& ink) {
-    const double length = triangle_length * (upright ? bar.width : bar.height);
+    const double length = triangle_length_ratio * (upright ? bar.width : bar.height);
     const double end = upright ? (at_high ? bar.y : bar.bottom()) : (at_high ? bar.right() : bar.x);
     const double tip = end + (at_high == upright ? -length : length);  // y points down
     const std::array<CanvasPoint, 3> corners =
@@ -145,9 +146,9 @@ CanvasBox placed_bar(const Canvas& canvas, const CanvasBox& frame, double below,
                      BarPosition place) {
     const double font = canvas.font_size();
     if (place == BarPosition::below)
-        return {frame.x, frame.bottom() + below + to_bar_below * font, frame.width,
-                bar_width * font};
-    return {frame.right() + from_frame * font, frame.y, bar_width * font, frame.height};
+        return {frame.x, frame.bottom() + below + bar_below_gap_em * font, frame.width,
+                bar_width_em * font};
+    return {frame.right() + frame_gap_em * font, frame.y, bar_width_em * font, frame.height};
 }
 
 }  // namespace
@@ -170,12 +171,12 @@ PanelMargins colour_bar_margins(const Canvas& canvas, const CanvasBox& bar,
     const double thin = 0.5 * canvas.line_width();
     if (direction == BarDirection::upright) {
         const BarLayout layout = lay_out_bar(canvas, bar.height, scale, direction);
-        const double half = std::max({thin, beyond_ends * font, 0.5 * layout.highest});
-        return {thin, to_tick_text * font + layout.widest + layout.label_height, half, half};
+        const double half = std::max({thin, label_overhang_em * font, 0.5 * layout.highest});
+        return {thin, tick_text_gap_em * font + layout.widest + layout.label_height, half, half};
     }
     const BarLayout layout = lay_out_bar(canvas, bar.width, scale, direction);
-    const double half = std::max({thin, beyond_ends * font, 0.5 * layout.widest});
-    return {half, half, thin, to_tick_text * font + layout.highest + layout.label_height};
+    const double half = std::max({thin, label_overhang_em * font, 0.5 * layout.widest});
+    return {half, half, thin, tick_text_gap_em * font + layout.highest + layout.label_height};
 }
 
 void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& scale,
@@ -201,17 +202,19 @@ void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& sc
         const double dx = upright ? font : 0.0;
         const double dy = upright ? 0.0 : font;
         canvas.stroke(
-            std::array<CanvasPoint, 2>{{{x, y}, {x + tick_mark * dx, y + tick_mark * dy}}}, thin,
-            ink);
+            std::array<CanvasPoint, 2>{{{x, y}, {x + tick_mark_em * dx, y + tick_mark_em * dy}}},
+            thin, ink);
         // The range of one of many frames may have labels that reach beyond the picture.
-        const double half = 0.5 * canvas.text_size(layout.ticks.labels[i], bar_tick_text)[0];
+        const double half =
+            0.5 * canvas.text_size(layout.ticks.labels[i], bar_tick_text_size_em)[0];
         const double middle = upright ? x : std::max(half, std::min(x, canvas.width() - half));
-        canvas.write(layout.ticks.labels[i], {middle + to_tick_text * dx, y + to_tick_text * dy},
-                     upright ? CanvasPoint{0.0, 0.5} : CanvasPoint{0.5, 0.0}, ink, bar_tick_text);
+        canvas.write(
+            layout.ticks.labels[i], {middle + tick_text_gap_em * dx, y + tick_text_gap_em * dy},
+            upright ? CanvasPoint{0.0, 0.5} : CanvasPoint{0.5, 0.0}, ink, bar_tick_text_size_em);
     }
     if (scale.label.empty()) return;
     const double away =
-        (to_tick_text + to_label) * font + (upright ? layout.widest : layout.highest);
+        (tick_text_gap_em + label_gap_em) * font + (upright ? layout.widest : layout.highest);
     if (upright) {
         canvas.write(layout.label, {right + away, bar.y + 0.5 * bar.height}, {0.0, 0.5}, ink,
                      layout.label_size, true);
@@ -228,7 +231,7 @@ PanelMargins with_colour_bar(const Canvas& canvas, const PanelMargins& margins, 
     const bool below = place == BarPosition::below;
     PanelMargins room =
         colour_bar_margins(canvas, bar, scale, below ? BarDirection::level : BarDirection::upright);
-    const double triangle = triangle_length * (below ? bar.height : bar.width);
+    const double triangle = triangle_length_ratio * (below ? bar.height : bar.width);
     if (scale.values_below) (below ? room.left : room.below) += triangle;
     if (scale.values_above) (below ? room.right : room.above) += triangle;
     return {std::max(margins.left, room.left - bar.x),

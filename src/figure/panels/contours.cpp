@@ -23,14 +23,14 @@ namespace fumon {
 namespace {
 
 constexpr Ink contour_ink{0.20, 0.12, 0.06, 0.80};
-constexpr double thin_width = 0.045;  // font sizes, as are the lengths
-constexpr double thick_width = 0.085;
-constexpr double label_size = 0.65;
-constexpr double label_room = 0.35;  // before and behind a label
-constexpr double label_every = 18.0;
-constexpr double straight = 0.92;     // chord over length under a label, at least
-constexpr double least_length = 1.0;  // of a line that is drawn: shorter ones are specks
-constexpr double most_levels = 1000.0;
+constexpr double thin_width_em = 0.045;  // font sizes, as are the lengths
+constexpr double thick_width_em = 0.085;
+constexpr double label_size_em = 0.65;
+constexpr double label_room_em = 0.35;  // before and behind a label
+constexpr double label_interval_em = 18.0;
+constexpr double least_chord_ratio = 0.92;  // chord over length under a label, at least
+constexpr double least_length_em = 1.0;     // of a line that is drawn: shorter ones are specks
+constexpr double most_level_count = 1000.0;
 
 double distance(const CanvasPoint& a, const CanvasPoint& b) {
     return elementary::hypot(b.x - a.x, b.y - a.y);
@@ -94,18 +94,18 @@ class Labels {
 
     /// One about every label_every font sizes, each where the line is straightest.
     std::vector<LabelGap> on(const MeasuredLine& line, const std::string& text) {
-        const auto [width, height] = canvas_.text_size(text, label_size);
-        const double gap = width + 2.0 * label_room * canvas_.font_size();
+        const auto [width, height] = canvas_.text_size(text, label_size_em);
+        const double gap = width + 2.0 * label_room_em * canvas_.font_size();
         std::vector<LabelGap> found;
         const double length = line.length();
         if (length < 2.0 * gap) return found;
         const int count =
-            truncated_within(length / (label_every * canvas_.font_size()), 1, 1 << 20);
+            truncated_within(length / (label_interval_em * canvas_.font_size()), 1, 1 << 20);
         for (int i = 0; i < count; ++i) {
             const double begin = length * i / count;
             const double end = length * (i + 1) / count - gap;
             std::optional<LabelGap> best;
-            double best_chord = straight * gap;
+            double best_chord = least_chord_ratio * gap;
             for (double from = begin; from <= end; from += 0.25 * gap) {
                 const CanvasPoint a = line.at(from);
                 const CanvasPoint b = line.at(from + gap);
@@ -186,10 +186,11 @@ std::optional<GroundContours> ground_contours(const WordOrReal& asked, const Sna
     if (!(high > low)) return std::nullopt;
     const double first = std::ceil(low / contours.interval);
     const double last = std::floor(high / contours.interval);
-    if (last - first >= most_levels) {
-        throw InputError(fmt::format(
-            "contours every {:g} would be {:.0f} levels over this ground; {:g} draws {} or fewer",
-            contours.interval, last - first + 1.0, contour_interval(low, high), 16));
+    if (last - first >= most_level_count) {
+        throw InputError(
+            fmt::format("contours every {:g} would make {:.0f} levels on this bed; an interval of "
+                        "{:g} makes {} or fewer",
+                        contours.interval, last - first + 1.0, contour_interval(low, high), 16));
     }
     for (double k = first; k <= last; k += 1.0) {
         auto lines = contour_lines(heights, nodata, k * contours.interval);
@@ -251,9 +252,9 @@ void draw_contours(Canvas& canvas, const CanvasBox& frame, const std::vector<Can
                              [&](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
     for (const std::size_t number : longest) {
         const CanvasContour& line = lines[number];
-        if (lengths[number] < least_length * font) continue;
+        if (lengths[number] < least_length_em * font) continue;
         if (!is_index_contour(line.level, interval)) {
-            canvas.stroke(line.points, thin_width * font, contour_ink);
+            canvas.stroke(line.points, thin_width_em * font, contour_ink);
             continue;
         }
         const MeasuredLine measured(line.points);
@@ -261,11 +262,11 @@ void draw_contours(Canvas& canvas, const CanvasBox& frame, const std::vector<Can
         double from = 0.0;
         for (const LabelGap& place : labels.on(measured, text)) {
             if (place.from > from)
-                canvas.stroke(measured.part(from, place.from), thick_width * font, contour_ink);
-            canvas.write_turned(text, place.middle, place.angle, contour_ink, label_size);
+                canvas.stroke(measured.part(from, place.from), thick_width_em * font, contour_ink);
+            canvas.write_turned(text, place.middle, place.angle, contour_ink, label_size_em);
             from = place.to;
         }
-        canvas.stroke(measured.part(from, measured.length()), thick_width * font, contour_ink);
+        canvas.stroke(measured.part(from, measured.length()), thick_width_em * font, contour_ink);
     }
 }
 

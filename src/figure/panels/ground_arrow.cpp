@@ -15,7 +15,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double arrow_text = 0.9;
+constexpr double arrow_text_size_em = 0.9;
 
 /// A box around points relative to the arrow's middle.
 struct Extent {
@@ -84,7 +84,7 @@ ArrowShape arrow_shape(const Canvas& canvas, const GroundDirection& direction,
     ArrowShape shape{lay(arrow_outline(length), direction.towards, axes, font), {}, {}};
     for (const glm::dvec2& point : shape.outline) shape.extent.take(point);
     if (direction.label.empty()) return shape;
-    const auto size = canvas.text_size(direction.label, arrow_text);
+    const auto size = canvas.text_size(direction.label, arrow_text_size_em);
     const glm::dvec2 along = axes(direction.towards);
     const FurnitureSize arrow = shape.extent.size();
     if (std::abs(along.y) > 1.5 * std::abs(along.x))  // beside an arrow up or down the page
@@ -125,7 +125,7 @@ CompassShape compass_shape(const Canvas& canvas, const GroundAxes& axes, double 
             shape.letter.extent.take(point + 0.5 * canvas.line_width());
         }
     }
-    const auto size = canvas.text_size(word("N"), arrow_text);
+    const auto size = canvas.text_size(word("N"), arrow_text_size_em);
     const glm::dvec2 tip = font * half * axes(north);
     const double seen = std::max(glm::length(tip), 1e-9);
     const double beyond =
@@ -149,7 +149,7 @@ void draw_ground_arrow(Canvas& canvas, const GroundDirection& direction, const G
     fill_shape(canvas, shape.outline, middle, ink);
     if (direction.label.empty()) return;
     canvas.write(direction.label, {middle.x + shape.label.x, middle.y + shape.label.y}, {0.5, 0.5},
-                 ink, arrow_text);
+                 ink, arrow_text_size_em);
 }
 
 std::vector<GroundWind> ground_winds(const Snapshot& snapshot) {
@@ -209,7 +209,7 @@ void draw_compass(Canvas& canvas, const GroundAxes& axes, const CanvasBox& box, 
     }
     canvas.stroke(rim, canvas.line_width(), ink);
     canvas.write(word("N"), {middle.x + letter.label.x, middle.y + letter.label.y}, {0.5, 0.5}, ink,
-                 arrow_text);
+                 arrow_text_size_em);
 }
 
 }  // namespace fumon

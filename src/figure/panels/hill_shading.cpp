@@ -14,12 +14,12 @@ namespace fumon {
 
 namespace {
 
-constexpr double flattest_sun = 0.25;  // sine of its elevation, by which level ground is dimmed
-constexpr double brightest = 1.6;      // share of direct light, of that on level ground
+constexpr double least_sun_sine = 0.25;  // sine of its elevation, by which level ground is dimmed
+constexpr double most_direct_light_ratio = 1.6;  // share of direct light, of that on level ground
 // As the renderer's figures are lit: what reaches every place, the sky's and the sun's share.
-constexpr double everywhere = 0.30;
-constexpr double from_sky = 0.32;
-constexpr double from_sun = 0.38;
+constexpr double ambient_light_share = 0.30;
+constexpr double sky_light_share = 0.32;
+constexpr double sun_light_share = 0.38;
 
 }  // namespace
 
@@ -46,11 +46,13 @@ Field<float> hill_light(const Snapshot& snapshot, const HillShading& shading, Wo
         const double sun = shading.from_all_sides ? 1.0 : texel[2] / whole;
         double lit = 0.0;
         for (std::size_t i = 0; i < turns.size(); ++i) {
-            const double level = std::max(lights.at(i).z, flattest_sun);
-            lit += std::min(sun * std::max(glm::dot(normal, lights.at(i)), 0.0) / level, brightest);
+            const double level = std::max(lights.at(i).z, least_sun_sine);
+            lit += std::min(sun * std::max(glm::dot(normal, lights.at(i)), 0.0) / level,
+                            most_direct_light_ratio);
         }
         lit /= static_cast<double>(turns.size());
-        const double all = everywhere + from_sky * texel[3] / whole + from_sun * lit;
+        const double all =
+            ambient_light_share + sky_light_share * texel[3] / whole + sun_light_share * lit;
         light.values()[cell] =
             static_cast<float>(std::lerp(1.0, std::min(all, 1.0), shading.strength));
     }

@@ -24,10 +24,10 @@ namespace fumon {
 
 namespace {
 
-constexpr double inset = 0.7;                  // of furniture from the frame's edges, font sizes
-constexpr double longest_bar_of_frame = 0.35;  // of the frame's width
-constexpr double usual_speeds = 0.95;          // share of cells
-constexpr double arrows_apart = 1.7;           // font sizes
+constexpr double furniture_inset_em = 0.7;  // of furniture from the frame's edges, font sizes
+constexpr double longest_bar_share_of_frame = 0.35;  // of the frame's width
+constexpr double usual_speed_share = 0.95;           // share of cells
+constexpr double arrow_spacing_em = 1.7;             // font sizes
 
 /// The variance of the values that a box on the map covers.
 double spread_under(const Grid& values, const CanvasBox& frame, const CanvasBox& box) {
@@ -95,7 +95,7 @@ MapPanel::MapPanel(MapPicture picture, MapPanelSettings settings)
             elementary::hypot(flow.velocity_x.values()[i], flow.velocity_y.values()[i]);
         if (speed > 0.0) speeds.push_back(static_cast<float>(speed));
     }
-    flow.fastest = percentile(speeds, usual_speeds);
+    flow.fastest = percentile(speeds, usual_speed_share);
 }
 
 double MapPanel::aspect() const {
@@ -136,7 +136,7 @@ PanelMargins MapPanel::margins(const Canvas& canvas, double width, double height
     PanelMargins room{thin, thin, thin, thin};
     if (settings_.axes) room = shown_axes({0.0, 0.0, width, height}).margins(canvas);
     if (settings_.flow)
-        room.above = std::max(room.above, reference_arrow_room * canvas.font_size());
+        room.above = std::max(room.above, reference_arrow_room_em * canvas.font_size());
     return with_colour_bar(canvas, room, settings_.colour_bar, picture_.colours, width, height);
 }
 
@@ -146,7 +146,7 @@ void MapPanel::draw_flow(Canvas& canvas, const Axes& axes) const {
     ArrowField field;
     field.fastest = flow.fastest;
     field.unit = flow.unit;
-    field.apart_x = field.apart_y = arrows_apart;
+    field.apart_x = field.apart_y = arrow_spacing_em;
     field.velocity = [&](double x, double y) -> std::optional<glm::dvec2> {
         const auto cell = [](double value, double high, int count) {
             return truncated_within(value / high * count, 0, count - 1);
@@ -204,7 +204,7 @@ void MapPanel::draw_lines(Canvas& canvas, const CanvasBox& frame) const {
 }
 
 void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
-    const double margin = inset * canvas.font_size();
+    const double margin = furniture_inset_em * canvas.font_size();
     const auto plate = [&](Corner corner, const FurnitureSize& size) {
         const CanvasBox box = corner_box(frame, corner, size, margin);
         draw_plate(canvas, box);
@@ -213,13 +213,13 @@ void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
     if (settings_.scale_bar) {
         const BedExtent extent = bed_extent(picture_.values, picture_.scale);
         const ScaleBar bar = round_scale_bar(picture_.scale.in_metres, frame.width / extent.width,
-                                             longest_bar_of_frame * frame.width);
+                                             longest_bar_share_of_frame * frame.width);
         draw_scale_bar(canvas, bar, plate(settings_.scale_bar_corner, scale_bar_size(canvas, bar)));
     }
     if (!settings_.label.empty()) {
-        const auto [width, height] = canvas.text_size(settings_.label, label_text);
+        const auto [width, height] = canvas.text_size(settings_.label, label_text_size_em);
         const CanvasBox box = plate(settings_.label_corner, {width, height});
-        canvas.write(settings_.label, {box.x, box.y}, {0.0, 0.0}, {}, label_text);
+        canvas.write(settings_.label, {box.x, box.y}, {0.0, 0.0}, {}, label_text_size_em);
     }
     if (settings_.arrow) {
         const FurnitureSize size = ground_arrow_size(canvas, *settings_.arrow, map_axes());

@@ -158,7 +158,7 @@ MapPicture map_picture(const LookSettings& look, const Snapshot& snapshot, const
 MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot, std::string_view name,
                          const RangeTails& tails) {
     const SnapshotField* field = find_named(snapshot.fields, name);
-    if (field == nullptr) throw InputError(fmt::format("the model gives no field \"{}\"", name));
+    if (field == nullptr) throw InputError(fmt::format("the model has no field \"{}\"", name));
     MapPicture picture;
     picture.values = field->values;
     picture.blank = snapshot.nodata;

@@ -25,12 +25,12 @@ namespace fumon {
 
 namespace {
 
-constexpr double room_below_line = 0.12;  // of the relief, filled with sand
-constexpr double room_above = 0.12;       // of the relief
-constexpr double between_lines = 1.25;    // of the relief, from one profile to the next
-constexpr double room_of_name = 1.6;      // font sizes
-constexpr double to_name = 0.5;           // font sizes
-constexpr double to_bar = 0.7;            // font sizes
+constexpr double room_below_line_share = 0.12;  // of the relief, filled with sand
+constexpr double room_above_share = 0.12;       // of the relief
+constexpr double line_spacing_ratio = 1.25;     // of the relief, from one profile to the next
+constexpr double room_of_name_em = 1.6;         // font sizes
+constexpr double name_gap_em = 0.5;             // font sizes
+constexpr double bar_gap_em = 0.7;              // font sizes
 
 double rounded_exaggeration(double largest) {
     const double rounded = largest * (1.0 + 1e-9);
@@ -73,7 +73,7 @@ ProfilePicture profile_picture(std::span<const Snapshot> snapshots, std::optiona
 }
 
 ProfilePanel::ProfilePanel(ProfilePicture picture) : picture_(std::move(picture)) {
-    if (picture_.lines.empty()) throw InputError("a panel of profiles has none");
+    if (picture_.lines.empty()) throw InputError("a profile panel needs at least one profile");
     double low = INFINITY;
     double high = -INFINITY;
     for (const ProfileLine& line : picture_.lines) {
@@ -93,8 +93,8 @@ ProfilePanel::ProfilePanel(ProfilePicture picture) : picture_(std::move(picture)
 double ProfilePanel::exaggeration(double width, double height) const {
     if (picture_.exaggeration > 0.0) return picture_.exaggeration;
     const auto lines = static_cast<double>(picture_.lines.size());
-    const double all =
-        relief_ * (1.0 + room_below_line + room_above + between_lines * (lines - 1.0));
+    const double all = relief_ * (1.0 + room_below_line_share + room_above_share +
+                                  line_spacing_ratio * (lines - 1.0));
     return rounded_exaggeration((height / all) / (width / picture_.length));
 }
 
@@ -104,7 +104,7 @@ Axes ProfilePanel::axes_in(const CanvasBox& frame) const {
     const LengthUnit heights = height_unit(picture_.in_metres, largest);
     const double shown =
         frame.height / frame.width * picture_.length / exaggeration(frame.width, frame.height);
-    const double low = low_ - room_below_line * relief_;
+    const double low = low_ - room_below_line_share * relief_;
     return {frame,
             {0.0, picture_.length / unit.length,
              label_or(picture_.x_label,
@@ -116,12 +116,13 @@ Axes ProfilePanel::axes_in(const CanvasBox& frame) const {
 PanelMargins ProfilePanel::margins(const Canvas& canvas, double width, double height) const {
     const double font = canvas.font_size();
     PanelMargins room = axes_in({0.0, 0.0, width, height}).margins(canvas);
-    room.above = std::max(room.above, room_of_name * font);
+    room.above = std::max(room.above, room_of_name_em * font);
     if (!stacked()) return room;
-    room.left = std::max(room.left, (to_bar + 0.5) * font + canvas.text_size("0", tick_text)[1]);
+    room.left = std::max(room.left,
+                         (bar_gap_em + 0.5) * font + canvas.text_size("0", tick_text_size_em)[1]);
     for (const ProfileLine& line : picture_.lines) {
-        room.right =
-            std::max(room.right, to_name * font + canvas.text_size(line.label, tick_text)[0]);
+        room.right = std::max(
+            room.right, name_gap_em * font + canvas.text_size(line.label, tick_text_size_em)[0]);
     }
     return room;
 }
@@ -131,7 +132,7 @@ void ProfilePanel::draw_line(Canvas& canvas, const Axes& axes, const ProfileLine
     const double unit =
         height_unit(picture_.in_metres, std::max(std::abs(low_), std::abs(low_ + relief_))).length;
     const auto count = line.bed.size();
-    const double base = low_ - room_below_line * relief_ + offset;
+    const double base = low_ - room_below_line_share * relief_ + offset;
     const auto at = [&](std::size_t i, double height) {
         // A cell's height stands at its middle; the outer ones reach the frame.
         const double share = i == 0 ? 0.0
@@ -173,13 +174,13 @@ void ProfilePanel::draw_height_bar(Canvas& canvas, const Axes& axes) const {
     const double units_per_height = frame.height / ((axes.y().high - axes.y().low) * unit);
     const double height = round_length(std::min(relief_, frame.height / units_per_height));
     const double shown = height * units_per_height;
-    const double x = frame.x - to_bar * font;
+    const double x = frame.x - bar_gap_em * font;
     const CanvasPoint low{x, frame.bottom()};
     const CanvasPoint high{x, frame.bottom() - shown};
     canvas.stroke(std::array<CanvasPoint, 2>{low, high}, 2.0 * canvas.line_width(), dark_ink);
     const LengthUnit heights = height_unit(picture_.in_metres, height);
     canvas.write(fmt::format("{:g} {}", height / heights.length, unit_word(heights.symbol)),
-                 {x - 0.3 * font, frame.bottom()}, {1.0, 1.0}, {}, tick_text, true);
+                 {x - 0.3 * font, frame.bottom()}, {1.0, 1.0}, {}, tick_text_size_em, true);
 }
 
 void ProfilePanel::draw(Canvas& canvas, const CanvasBox& frame) const {
@@ -189,26 +190,26 @@ void ProfilePanel::draw(Canvas& canvas, const CanvasBox& frame) const {
         height_unit(picture_.in_metres, std::max(std::abs(low_), std::abs(low_ + relief_))).length;
     for (std::size_t n = picture_.lines.size(); n-- > 0;) {
         const ProfileLine& line = picture_.lines[n];
-        const double offset = between_lines * relief_ * static_cast<double>(n);
+        const double offset = line_spacing_ratio * relief_ * static_cast<double>(n);
         draw_line(canvas, axes, line, offset);
         if (!stacked()) continue;
         const double middle = axes.at(0.0, (low_ + 0.5 * relief_ + offset) / unit).y;
-        canvas.write(line.label, {frame.right() + to_name * font, middle}, {0.0, 0.5}, {},
-                     tick_text);
+        canvas.write(line.label, {frame.right() + name_gap_em * font, middle}, {0.0, 0.5}, {},
+                     tick_text_size_em);
     }
     axes.draw(canvas);
     if (stacked()) draw_height_bar(canvas, axes);
-    const double above = frame.y - 0.5 * room_of_name * font;
+    const double above = frame.y - 0.5 * room_of_name_em * font;
     canvas.write(
         phrase("heights × {}", fmt::format("{:g}", exaggeration(frame.width, frame.height))),
-        {frame.right(), above}, {1.0, 0.5}, {}, tick_text);
+        {frame.right(), above}, {1.0, 0.5}, {}, tick_text_size_em);
     if (!picture_.wind || picture_.wind->towards.y != 0.0) return;
     const GroundDirection wind{picture_.wind->towards, ""};
     const FurnitureSize size = ground_arrow_size(canvas, wind, map_axes());
     draw_ground_arrow(canvas, wind, map_axes(),
                       {frame.x, above - 0.5 * size.height, size.width, size.height});
     canvas.write(picture_.wind->label, {frame.x + size.width + 0.4 * font, above}, {0.0, 0.5}, {},
-                 tick_text);
+                 tick_text_size_em);
 }
 
 }  // namespace fumon

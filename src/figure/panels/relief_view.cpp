@@ -17,18 +17,21 @@ namespace fumon {
 
 namespace {
 
-constexpr double circle = 360.0;
-constexpr double from_camera = 110.0;  // degrees clockwise from it: the upper left of the picture
-constexpr double freest_turn = 75.0;   // degrees off the line across the crests, of a bed without
-constexpr double least_turn = 20.0;    // and of parallel ones
-constexpr double sun_elevation = 38.0;
-constexpr double thickness = 0.02;  // of the block under the lowest place, in longer sides
-constexpr double headroom = 0.005;
+constexpr double circle_degrees = 360.0;
+constexpr double sun_from_camera_degrees =
+    110.0;  // degrees clockwise from it: the upper left of the picture
+constexpr double freest_turn_degrees =
+    75.0;  // degrees off the line across the crests, of a bed without
+constexpr double least_turn_degrees = 20.0;  // and of parallel ones
+constexpr double sun_elevation_degrees = 38.0;
+constexpr double block_thickness_share =
+    0.02;  // of the block under the lowest place, in longer sides
+constexpr double headroom_share = 0.005;
 constexpr double outline_level = 70.0;  // of 255
 
 /// An angle in −180 … 180 degrees.
 double about_zero(double angle) {
-    return angle - circle * std::round(angle / circle);
+    return angle - circle_degrees * std::round(angle / circle_degrees);
 }
 
 /// Least and greatest height of some snapshots, as their pictures count heights.
@@ -74,9 +77,9 @@ void fit_block(View& view, const Snapshot& first, std::span<const Snapshot> snap
     const WorldScale& scale = strip ? strip->scale : first.scale;
     const double side = std::max(bed.nx() * scale.dx, bed.ny() * scale.dy);
     const double length = side / (scale.height_unit * look.exaggeration.value);
-    look.footing = {"", begin.low - all.low + thickness * length};
+    look.footing = {"", begin.low - all.low + block_thickness_share * length};
     if (look.room.is_word() && !has_water(first) && !first.section)
-        look.room = {"", all.high - begin.high + headroom * length};
+        look.room = {"", all.high - begin.high + headroom_share * length};
 }
 
 }  // namespace
@@ -106,22 +109,23 @@ SlopeDirection slope_direction(const Snapshot& snapshot) {
     const double twice = 2.0 * product.value();
     SlopeDirection slopes;
     slopes.azimuth = 0.5 * elementary::atan2(twice, difference) / degree;
-    if (slopes.azimuth < 0.0) slopes.azimuth += 0.5 * circle;
+    if (slopes.azimuth < 0.0) slopes.azimuth += 0.5 * circle_degrees;
     slopes.coherence = std::sqrt(difference * difference + twice * twice) / sum;
     return slopes;
 }
 
 double relief_light_azimuth(const SlopeDirection& slopes, double camera_azimuth) {
-    const double wanted = camera_azimuth + from_camera;
+    const double wanted = camera_azimuth + sun_from_camera_degrees;
     double off = about_zero(wanted - slopes.azimuth);  // to the nearer end of the axis
     double across = slopes.azimuth;
-    if (std::abs(off) > 0.25 * circle) {
-        across += 0.5 * circle;
+    if (std::abs(off) > 0.25 * circle_degrees) {
+        across += 0.5 * circle_degrees;
         off = about_zero(wanted - across);
     }
-    const double most = std::lerp(freest_turn, least_turn, std::min(1.0, 1.5 * slopes.coherence));
+    const double most =
+        std::lerp(freest_turn_degrees, least_turn_degrees, std::min(1.0, 1.5 * slopes.coherence));
     const double azimuth = across + std::clamp(off, -most, most);
-    return azimuth - circle * std::floor(azimuth / circle);
+    return azimuth - circle_degrees * std::floor(azimuth / circle_degrees);
 }
 
 View relief_view(View view, const Snapshot& first, std::span<const Snapshot> snapshots) {
@@ -134,7 +138,7 @@ View relief_view(View view, const Snapshot& first, std::span<const Snapshot> sna
                               view.sun.elevation == usual.elevation && view.sun.place.empty();
     if (sun_is_usual) {
         view.sun.azimuth = relief_light_azimuth(slope_direction(roughest), view.camera.azimuth);
-        view.sun.elevation = sun_elevation;
+        view.sun.elevation = sun_elevation_degrees;
     }
     if (view.look.exaggeration.is_word())
         view.look.exaggeration = {"", figure_exaggeration(roughest)};

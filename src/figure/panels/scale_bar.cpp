@@ -14,7 +14,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double bar_text = 0.9;
+constexpr double bar_text_size_em = 0.9;
 
 std::string length_text(bool in_metres, double length) {
     if (!in_metres && length == 1.0) return word("1 site");
@@ -42,7 +42,7 @@ ScaleBar round_scale_bar(bool in_metres, double units_per_length, double longest
 }
 
 FurnitureSize scale_bar_size(const Canvas& canvas, const ScaleBar& bar) {
-    const auto [width, height] = canvas.text_size(bar.text, bar_text);
+    const auto [width, height] = canvas.text_size(bar.text, bar_text_size_em);
     return {std::max(bar.drawn, width), height + 0.5 * canvas.font_size()};
 }
 
@@ -54,7 +54,7 @@ void draw_scale_bar(Canvas& canvas, const ScaleBar& bar, const CanvasBox& box, c
     const double bottom = box.y + box.height;
     canvas.fill(CanvasBox{left, bottom - thick, right - left, thick}, ink);
     canvas.write(bar.text, {0.5 * (left + right), bottom - thick - 0.1 * font}, {0.5, 1.0}, ink,
-                 bar_text);
+                 bar_text_size_em);
 }
 
 GroundBar ground_scale_bar(const ViewProjection& view, bool in_metres, const glm::dvec2& place,
@@ -81,7 +81,7 @@ GroundBarShape shape_of(const Canvas& canvas, const GroundBar& bar) {
     if (shape.across.y < 0.0) shape.across = -shape.across;
     shape.mark = 0.25 * font;
     // Off the bar by so much that no corner of the text's box touches it.
-    const auto [width, height] = canvas.text_size(bar.text, bar_text);
+    const auto [width, height] = canvas.text_size(bar.text, bar_text_size_em);
     const double off =
         0.5 * (std::abs(shape.across.x) * width + std::abs(shape.across.y) * height) + 0.3 * font;
     shape.text = {0.5 * (bar.from.x + bar.to.x) + off * shape.across.x - 0.5 * width,
@@ -112,7 +112,7 @@ void draw_ground_bar(Canvas& canvas, const GroundBar& bar, const Ink& ink) {
                                                   {end.x + half.x, end.y + half.y}}},
                       thick, ink);
     }
-    canvas.write(bar.text, shape.text.middle(), {0.5, 0.5}, ink, bar_text);
+    canvas.write(bar.text, shape.text.middle(), {0.5, 0.5}, ink, bar_text_size_em);
 }
 
 }  // namespace fumon

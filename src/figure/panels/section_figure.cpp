@@ -15,7 +15,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double smallest_frame = 5.0;  // font sizes, along both sides
+constexpr double least_frame_side_em = 5.0;  // font sizes, along both sides
 
 /// A page without its panels' columns: those are tried.
 Page page_of(const View& view, const Snapshot& snapshot, const std::vector<SectionPanel>& panels,
@@ -51,7 +51,7 @@ void set_columns(Page& page, int columns) {
 double shown_area(const PageLayout& layout, double font) {
     double area = 0.0;
     for (const CanvasBox& frame : layout.frames) {
-        if (std::min(frame.width, frame.height) < smallest_frame * font) return 0.0;
+        if (std::min(frame.width, frame.height) < least_frame_side_em * font) return 0.0;
         area += frame.width * frame.height;
     }
     return area;

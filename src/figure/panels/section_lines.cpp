@@ -17,7 +17,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double rest_of_frame = 1.08;  // of the highest value, up to the frame's top
+constexpr double frame_top_ratio = 1.08;  // of the highest value, up to the frame's top
 
 const std::string length_prefix = "flight_length_";
 
@@ -44,8 +44,8 @@ PlotAxis axis_from_zero(const std::vector<PlotSeries>& series, std::string label
     if (!(high > low)) high = low + 1.0;
     PlotAxis axis;
     axis.label = std::move(label);
-    axis.low = rest_of_frame * low;
-    axis.high = rest_of_frame * high;
+    axis.low = frame_top_ratio * low;
+    axis.high = frame_top_ratio * high;
     return axis;
 }
 

@@ -73,10 +73,10 @@ constexpr std::array<PanelName, 6> panel_names{
      {SectionPanel::flight_law, "flight-law", "Flight length and height"},
      {SectionPanel::paths, "paths", "Paths of grains"}}};
 
-constexpr double longest_equal = 6.0;  // length over height of a map with equal scales
-constexpr double shortest_exaggerated = 3.0;
-constexpr double room_of_heading = 1.5;  // font sizes
-constexpr double bed_share = 0.25;       // of a panel's height, for the bed behind its lines
+constexpr double longest_equal_scale_ratio = 6.0;  // length over height of a map with equal scales
+constexpr double shortest_exaggerated_ratio = 3.0;
+constexpr double room_of_heading_em = 1.5;  // font sizes
+constexpr double bed_share = 0.25;          // of a panel's height, for the bed behind its lines
 
 bool gives(const Snapshot& snapshot, SectionPanel panel) {
     const SnapshotSection& section = *snapshot.section;
@@ -131,7 +131,8 @@ class SectionMapPanel : public PanelContent {
     [[nodiscard]] PanelMargins margins(const Canvas& canvas, double width,
                                        double height) const override {
         PanelMargins room = axes_in({0.0, 0.0, width, height}).margins(canvas);
-        if (has_heading()) room.above = std::max(room.above, room_of_heading * canvas.font_size());
+        if (has_heading())
+            room.above = std::max(room.above, room_of_heading_em * canvas.font_size());
         return with_colour_bar(canvas, room, colour_bar_, scale_, width, height);
     }
 
@@ -153,7 +154,8 @@ class SectionMapPanel : public PanelContent {
         const double font = canvas.font_size();
         write_within(canvas, phrase("heights × {}", fmt::format("{:g}", exaggeration_)),
                      frame.width - taken - 0.5 * font,
-                     {frame.x, frame.y - 0.5 * room_of_heading * font}, {0.0, 0.5}, tick_text);
+                     {frame.x, frame.y - 0.5 * room_of_heading_em * font}, {0.0, 0.5},
+                     tick_text_size_em);
     }
 
   private:
@@ -249,7 +251,7 @@ std::vector<SectionPanel> section_panels(const SectionSettings& settings,
         }
         if (!gives(snapshot, named->panel)) {
             throw KeyError("section.panels",
-                           fmt::format("section.panels: the model gives no \"{}\" (flights and "
+                           fmt::format("section.panels: the model has no \"{}\" (flights and "
                                        "paths need model.flights = true)",
                                        wanted));
         }
@@ -265,8 +267,8 @@ std::string section_title(SectionPanel panel) {
 double section_exaggeration(const Snapshot& snapshot) {
     const SectionAir air(snapshot);
     const double aspect = air.length() / air.height();
-    if (!(aspect > longest_equal)) return 1.0;
-    return std::max(1.0, round_length(aspect / shortest_exaggerated));
+    if (!(aspect > longest_equal_scale_ratio)) return 1.0;
+    return std::max(1.0, round_length(aspect / shortest_exaggerated_ratio));
 }
 
 ColourScale section_colours(const View& view, const Snapshot& snapshot, SectionPanel panel) {

@@ -29,15 +29,15 @@ struct TimeUnit {
     double seconds;
 };
 
-constexpr double day = 86400.0;
+constexpr double seconds_per_day = 86400.0;
 constexpr std::array<TimeUnit, 8> time_units{{{"µs", 1e-6},
                                               {"us", 1e-6},
                                               {"ms", 1e-3},
                                               {"s", 1.0},
                                               {"min", 60.0},
                                               {"h", 3600.0},
-                                              {"d", day},
-                                              {"yr", 365.25 * day}}};
+                                              {"d", seconds_per_day},
+                                              {"yr", 365.25 * seconds_per_day}}};
 
 }  // namespace
 
@@ -61,10 +61,11 @@ std::string natural_time(double time, const std::string& unit) {
     const double seconds = std::abs(time) * given->seconds;
     const auto in = [&](const char* wanted) { return *time_in(time, unit, wanted); };
     const auto whole = [&](double of) { return seconds / of == std::floor(seconds / of); };
-    constexpr double tenth_of_year = 36.525 * day;
+    constexpr double tenth_of_year = 36.525 * seconds_per_day;
     if (seconds < 1.0) return length_of_time(time * given->seconds, "s");
     if (seconds >= tenth_of_year) return in("yr");
-    if (seconds >= 2.0 * day || (seconds >= day && whole(day))) return in("d");
+    if (seconds >= 2.0 * seconds_per_day || (seconds >= seconds_per_day && whole(seconds_per_day)))
+        return in("d");
     if (seconds >= 2.0 * 3600.0 || (seconds >= 3600.0 && whole(1800.0))) return in("h");
     return seconds >= 600.0 || (seconds >= 60.0 && whole(60.0)) ? in("min") : in("s");
 }

@@ -19,8 +19,8 @@ namespace fumon {
 
 namespace {
 
-constexpr int most_rows = 2100;      // of pixels
-constexpr std::uint8_t blank = 255;  // white, where there is no value
+constexpr int most_pixel_rows = 2100;  // of pixels
+constexpr std::uint8_t blank = 255;    // white, where there is no value
 
 /// Pixels of even time, the latest at the top: each is the record that is nearest in time.
 Image image_of(const TimeSpacePicture& picture) {
@@ -31,8 +31,8 @@ Image image_of(const TimeSpacePicture& picture) {
     for (std::size_t n = 1; n < picture.times.size(); ++n)
         shortest = std::min(shortest, picture.times[n] - picture.times[n - 1]);
     const double even = (last - first) / std::max(shortest, 1e-12);
-    Image image(picture.values.nx(),
-                static_cast<int>(std::clamp(2.0 * even, 1.0, static_cast<double>(most_rows))));
+    Image image(picture.values.nx(), static_cast<int>(std::clamp(
+                                         2.0 * even, 1.0, static_cast<double>(most_pixel_rows))));
     int record = 0;
     for (int row = image.height - 1; row >= 0; --row) {
         const double share = (image.height - 0.5 - row) / image.height;

@@ -19,11 +19,11 @@ namespace fumon {
 
 namespace {
 
-constexpr double corner_text = 0.95;         // of the font size
-constexpr double furniture_apart = 0.4;      // pieces of furniture, font sizes
-constexpr double bar_off_edge = 0.04;        // of the block's longer side
-constexpr double farthest_bar = 0.8;         // likewise, where coordinates stand along the edge
-constexpr double longest_bar_of_edge = 0.4;  // of the edge
+constexpr double corner_text_size_em = 0.95;  // of the font size
+constexpr double furniture_gap_em = 0.4;      // pieces of furniture, font sizes
+constexpr double bar_offset_share = 0.04;     // of the block's longer side
+constexpr double farthest_bar_share = 0.8;    // likewise, where coordinates stand along the edge
+constexpr double longest_bar_share_of_edge = 0.4;  // of the edge
 
 /// An edge of the block on the ground, in metres or sites, and which way is out.
 struct GroundEdge {
@@ -98,7 +98,7 @@ std::optional<GroundEdge> facing_hull_edge(const ViewPicture& picture) {
 
 /// Where the furniture stands.
 struct ViewPanel::Placement {
-    double bar_off = bar_off_edge;
+    double bar_off = bar_offset_share;
     GroundBar bar;
     CanvasBox bar_box;
     CanvasBox label;
@@ -116,14 +116,14 @@ double ViewPanel::aspect() const {
 }
 
 GroundBar ViewPanel::ground_bar(const CanvasBox& frame) const {
-    return bar_beside(frame, bar_off_edge);
+    return bar_beside(frame, bar_offset_share);
 }
 
 GroundBar ViewPanel::bar_beside(const CanvasBox& frame, double off) const {
     const GroundEdge edge = facing_hull_edge(picture_).value_or(facing_edge(picture_));
     const glm::dvec2 from = edge.from + off * picture_.block.side * edge.outward;
     return ground_scale_bar(picture_.in(frame), picture_.in_metres, from, edge.along,
-                            longest_bar_of_edge * edge.length, picture_.block.base);
+                            longest_bar_share_of_edge * edge.length, picture_.block.base);
 }
 
 bool ViewPanel::empty(const CanvasBox& frame, const CanvasBox& box) const {
@@ -147,7 +147,7 @@ bool ViewPanel::empty(const CanvasBox& frame, const CanvasBox& box) const {
 }
 
 ViewPanel::Placement ViewPanel::place(const Canvas& canvas, const CanvasBox& frame) const {
-    const double gap = furniture_apart * canvas.font_size();
+    const double gap = furniture_gap_em * canvas.font_size();
     Placement placement;
     std::vector<CanvasBox> taken;
     if (settings_.coordinates) {
@@ -163,7 +163,7 @@ ViewPanel::Placement ViewPanel::place(const Canvas& canvas, const CanvasBox& fra
         do {
             placement.bar = bar_beside(frame, placement.bar_off);
             placement.bar_box = ground_bar_box(canvas, placement.bar);
-        } while (meets() && (placement.bar_off += bar_off_edge) < farthest_bar);
+        } while (meets() && (placement.bar_off += bar_offset_share) < farthest_bar_share);
         taken.push_back(placement.bar_box);
     }
     double next = frame.x;  // of the pieces below the picture
@@ -188,7 +188,7 @@ ViewPanel::Placement ViewPanel::place(const Canvas& canvas, const CanvasBox& fra
         return box;
     };
     const auto text = [&](const std::string& words, std::initializer_list<Corner> corners) {
-        const auto [width, height] = canvas.text_size(words, corner_text);
+        const auto [width, height] = canvas.text_size(words, corner_text_size_em);
         return put({width, height}, corners);
     };
     using enum Corner;
@@ -264,7 +264,7 @@ void ViewPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     if (settings_.coordinates) draw_coordinates(canvas, frame);
     const GroundAxes axes = visible_axes(picture_.in(frame));
     const auto text = [&](const std::string& words, const CanvasBox& box) {
-        canvas.write(words, {box.x, box.y}, {0.0, 0.0}, {}, corner_text);
+        canvas.write(words, {box.x, box.y}, {0.0, 0.0}, {}, corner_text_size_em);
     };
     if (settings_.scale_bar) draw_ground_bar(canvas, placement.bar);
     if (!settings_.label.empty()) text(settings_.label, placement.label);

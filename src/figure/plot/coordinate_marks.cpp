@@ -10,11 +10,11 @@ namespace fumon {
 
 namespace {
 
-constexpr double tick_length = 0.45;  // font sizes, as are the others
-constexpr double text_gap = 0.25;     // between a tick and its text
-constexpr double texts_apart = 0.5;   // between texts
-constexpr int most_marks = 8;
-constexpr int least_marks = 2;
+constexpr double tick_length_em = 0.45;  // font sizes, as are the others
+constexpr double text_gap_em = 0.25;     // between a tick and its text
+constexpr double text_spacing_em = 0.5;  // between texts
+constexpr int most_mark_count = 8;
+constexpr int least_mark_count = 2;
 
 /// A text's box, centred beyond the end of its tick.
 CanvasBox box_beyond(const CanvasPoint& end, const CanvasPoint& way, double width, double height,
@@ -58,12 +58,12 @@ std::vector<CoordinateMark> marks_of(const Canvas& canvas, const CoordinateAxis&
         if (!from) continue;
         const CanvasPoint outward = axis.outward(place);
         const CanvasPoint way{side * outward.x, side * outward.y};
-        const CanvasPoint to{from->x + tick_length * font * way.x,
-                             from->y + tick_length * font * way.y};
+        const CanvasPoint to{from->x + tick_length_em * font * way.x,
+                             from->y + tick_length_em * font * way.y};
         auto [width, height] = canvas.text_size(ticks.labels[i]);
         if (axis.upright) std::swap(width, height);
-        const CanvasBox box = clear_of_axis(box_beyond(to, way, width, height, text_gap * font),
-                                            axis, place, *from, way, 2.0 * text_gap * font);
+        const CanvasBox box = clear_of_axis(box_beyond(to, way, width, height, text_gap_em * font),
+                                            axis, place, *from, way, 2.0 * text_gap_em * font);
         marks.push_back({*from, to, ticks.labels[i], box, axis.upright});
     }
     return marks;
@@ -82,9 +82,9 @@ bool overlap_one_another(std::span<const CoordinateMark> marks, double room) {
 std::vector<CoordinateMark> densest_marks(const Canvas& canvas, const CoordinateAxis& axis,
                                           double side) {
     std::vector<CoordinateMark> marks;
-    for (int most = most_marks; most >= least_marks; --most) {
+    for (int most = most_mark_count; most >= least_mark_count; --most) {
         marks = marks_of(canvas, axis, most, side);
-        if (!overlap_one_another(marks, texts_apart * canvas.font_size())) break;
+        if (!overlap_one_another(marks, text_spacing_em * canvas.font_size())) break;
     }
     return marks;
 }
@@ -95,10 +95,10 @@ std::vector<CoordinateMark> with_room(const Canvas& canvas, std::span<const Coor
     const double font = canvas.font_size();
     std::vector<CoordinateMark> kept;
     for (const CoordinateMark& mark : marks) {
-        const CanvasBox around = grown(mark.box, texts_apart * font);
+        const CanvasBox around = grown(mark.box, text_spacing_em * font);
         const bool meets =
             std::ranges::any_of(taken, [&](const CanvasBox& box) { return overlap(around, box); });
-        if (meets || !within(grown(mark.box, 0.5 * text_gap * font), picture)) continue;
+        if (meets || !within(grown(mark.box, 0.5 * text_gap_em * font), picture)) continue;
         kept.push_back(mark);
         taken.push_back(mark.box);
     }

@@ -12,8 +12,8 @@ namespace fumon {
 
 namespace {
 
-constexpr double foot = 0.3048;
-constexpr double tolerance_of_foot = 1e-4;
+constexpr double metres_per_foot = 0.3048;
+constexpr double foot_tolerance_ratio = 1e-4;
 
 }  // namespace
 
@@ -29,7 +29,8 @@ CoordinateScale::CoordinateScale(const WorldScale& scale, Axis axis)
     per_length_ = axis == Axis::east ? place.dx / scale.dx : place.dy / scale.dy;
     if (place.degrees) {
         unit_ = Unit::degrees;
-    } else if (std::abs(crs_kind(place.crs).metres / foot - 1.0) < tolerance_of_foot) {
+    } else if (std::abs(crs_kind(place.crs).metres / metres_per_foot - 1.0) <
+               foot_tolerance_ratio) {
         unit_ = Unit::feet;
     }
 }

@@ -17,7 +17,7 @@ namespace fumon {
 namespace {
 
 constexpr Ink grey{0.45, 0.45, 0.45, 1.0};
-constexpr double box_tint = 0.14;
+constexpr double box_opacity = 0.14;
 
 std::string name_of(const PlotAxis& axis) {
     return axis.label.empty() ? "without a label" : fmt::format("\"{}\"", axis.label);
@@ -28,7 +28,7 @@ void check_axis(const PlotAxis& axis) {
         if (!limit) continue;
         if (!std::isfinite(*limit))
             throw InputError(
-                fmt::format("the axis {} has a limit that is no number", name_of(axis)));
+                fmt::format("the axis {} has a limit that is not a number", name_of(axis)));
         if (axis.logarithmic && !(*limit > 0.0))
             throw InputError(
                 fmt::format("the logarithmic axis {} has the limit {}; it must be above 0",
@@ -64,7 +64,7 @@ void draw_boxes(Canvas& canvas, const Plot& plot, const PlotAxes& axes) {
         const CanvasPoint low = axes.at(box.x_low, box.y_low);
         const CanvasPoint high = axes.at(box.x_high, box.y_high);
         const CanvasBox area{low.x, high.y, high.x - low.x, low.y - high.y};
-        ink.opacity = box_tint;
+        ink.opacity = box_opacity;
         canvas.fill(area, ink);
         outline(canvas, area, canvas.line_width());
     }
@@ -108,7 +108,7 @@ void PlotPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     draw_series(canvas, plot_, drawing.axes);
     drawing.axes.draw(canvas);
     for (const PlotLabel& label : drawing.labels)
-        canvas.write(label.text, label.at, label.anchor, black_ink, tick_text);
+        canvas.write(label.text, label.at, label.anchor, black_ink, tick_text_size_em);
     if (drawing.legend) draw_legend(canvas, plot_, *drawing.legend);
 }
 
@@ -117,7 +117,7 @@ void share_axes(std::span<Plot> plots, int columns, bool share_x, bool share_y) 
     const auto at = [&plots](int n) -> Plot& { return plots[static_cast<std::size_t>(n)]; };
     const auto share = [&](int first, int step, int last, bool across) {
         ValueRange all;
-        double room = across ? 0.0 : room_along_y;
+        double room = across ? 0.0 : room_along_y_share;
         for (int n = first; n < last; n += step) {
             const PlotRanges ranges = plot_ranges(at(n));
             const ValueRange& range = across ? ranges.x : ranges.y;

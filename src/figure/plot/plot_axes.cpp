@@ -12,12 +12,12 @@ namespace fumon {
 
 namespace {
 
-constexpr double major_mark = 0.3;  // font sizes
-constexpr double minor_mark = 0.17;
-constexpr double gap_of_labels = 0.2;  // between marks, their labels and the axis's label
-constexpr int most_labels = 8;
-constexpr double apart_across = 0.9;  // tick labels, font sizes
-constexpr double apart_upward = 0.6;
+constexpr double major_mark_em = 0.3;  // font sizes
+constexpr double minor_mark_em = 0.17;
+constexpr double label_gap_em = 0.2;  // between marks, their labels and the axis's label
+constexpr int most_label_count = 8;
+constexpr double label_spacing_across_em = 0.9;  // tick labels, font sizes
+constexpr double label_spacing_upward_em = 0.6;
 
 double text_height(const Canvas& canvas, double size) {
     return canvas.text_size("0", size)[1];
@@ -26,7 +26,7 @@ double text_height(const Canvas& canvas, double size) {
 double widest_label(const Canvas& canvas, const PlotTicks& ticks) {
     double widest = 0.0;
     for (const std::string& label : ticks.labels)
-        widest = std::max(widest, canvas.text_size(label, tick_text)[0]);
+        widest = std::max(widest, canvas.text_size(label, tick_text_size_em)[0]);
     return widest;
 }
 
@@ -38,7 +38,8 @@ std::vector<std::size_t> kept_apart(const Canvas& canvas, const PlotScale& scale
     std::vector<std::size_t> kept;
     double end = -INFINITY;
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
-        const double half = 0.5 * canvas.text_size(ticks.labels[i], tick_text).at(dimension);
+        const double half =
+            0.5 * canvas.text_size(ticks.labels[i], tick_text_size_em).at(dimension);
         const double middle = scale.share(ticks.values[i]) * length;
         if (middle - half < end + apart * canvas.font_size()) continue;
         end = middle + half;
@@ -52,7 +53,7 @@ PlotTicks fitting_ticks(const Canvas& canvas, const PlotScale& scale, double len
                         std::size_t dimension, double apart) {
     PlotTicks ticks;
     std::vector<std::size_t> kept;
-    for (int most = most_labels; most >= 2; --most) {
+    for (int most = most_label_count; most >= 2; --most) {
         ticks = plot_ticks(scale, most);
         kept = kept_apart(canvas, scale, ticks, length, dimension, apart);
         if (kept.size() == ticks.values.size()) return ticks;
@@ -97,12 +98,12 @@ PlotAxes::PlotAxes(const Canvas& canvas, const Plot& plot, const CanvasBox& fram
     : frame_(frame) {
     const PlotRanges ranges = plot_ranges(plot);
     const auto upright = [&](const PlotAxis& axis, const ValueRange& range) {
-        const PlotScale scale = plot_scale(axis, range, room_along_y);
+        const PlotScale scale = plot_scale(axis, range, room_along_y_share);
         return side(canvas, axis, stretch > 0.0 && !axis.high ? stretched(scale, stretch) : scale,
-                    frame_.height, 1, apart_upward);
+                    frame_.height, 1, label_spacing_upward_em);
     };
     x_ = side(canvas, plot.x, plot_scale(plot.x, ranges.x, room_along_x(plot)), frame_.width, 0,
-              apart_across);
+              label_spacing_across_em);
     y_ = upright(plot.y, ranges.y);
     if (plot.right) right_ = upright(*plot.right, ranges.right);
 }
@@ -114,7 +115,8 @@ PlotAxes::Side PlotAxes::side(const Canvas& canvas, const PlotAxis& axis, const 
                                  : named_ticks(canvas, scale, axis, length, dimension),
               "", axis.tick_labels, 0.0};
     if (!axis.ticks) side.ticks = {};
-    side.label = in_two_lines(canvas, with_power(axis.label, side.ticks.power), length, label_text);
+    side.label =
+        in_two_lines(canvas, with_power(axis.label, side.ticks.power), length, label_text_size_em);
     side.widest = widest_label(canvas, side.ticks);
     return side;
 }
@@ -132,34 +134,36 @@ bool PlotAxes::shows(double x, double y, bool on_right) const {
 
 double PlotAxes::room_beside(const Canvas& canvas, const Side& side) const {
     const double font = canvas.font_size();
-    if (!side.labelled) return major_mark * font;
-    const double label = side.label.empty()
-                             ? 0.0
-                             : canvas.text_size(side.label, label_text)[1] + gap_of_labels * font;
-    return (major_mark + gap_of_labels) * font + side.widest + label;
+    if (!side.labelled) return major_mark_em * font;
+    const double label = side.label.empty() ? 0.0
+                                            : canvas.text_size(side.label, label_text_size_em)[1] +
+                                                  label_gap_em * font;
+    return (major_mark_em + label_gap_em) * font + side.widest + label;
 }
 
 PanelMargins PlotAxes::margins(const Canvas& canvas) const {
     const double font = canvas.font_size();
     PanelMargins margins{room_beside(canvas, y_), right_ ? room_beside(canvas, *right_) : 0.0, 0.0,
-                         major_mark * font};
+                         major_mark_em * font};
     if (x_.labelled) {
-        margins.below += gap_of_labels * font + text_height(canvas, tick_text);
+        margins.below += label_gap_em * font + text_height(canvas, tick_text_size_em);
         if (!x_.label.empty())
-            margins.below += gap_of_labels * font + canvas.text_size(x_.label, label_text)[1];
+            margins.below +=
+                label_gap_em * font + canvas.text_size(x_.label, label_text_size_em)[1];
         for (std::size_t i = 0; i < x_.ticks.values.size(); ++i) {
-            const double half = 0.5 * canvas.text_size(x_.ticks.labels[i], tick_text)[0];
+            const double half = 0.5 * canvas.text_size(x_.ticks.labels[i], tick_text_size_em)[0];
             const double middle = x_.scale.share(x_.ticks.values[i]) * frame_.width;
             margins.left = std::max(margins.left, half - middle);
             margins.right = std::max(margins.right, middle + half - frame_.width);
         }
         if (!x_.label.empty()) {
-            const double beyond = 0.5 * (canvas.text_size(x_.label, label_text)[0] - frame_.width);
+            const double beyond =
+                0.5 * (canvas.text_size(x_.label, label_text_size_em)[0] - frame_.width);
             margins.left = std::max(margins.left, beyond);
             margins.right = std::max(margins.right, beyond);
         }
     }
-    const double half = 0.5 * text_height(canvas, tick_text);
+    const double half = 0.5 * text_height(canvas, tick_text_size_em);
     const auto raise_for = [&](const Side& side) {
         if (!side.labelled) return;
         for (const double value : side.ticks.values) {
@@ -168,7 +172,8 @@ PanelMargins PlotAxes::margins(const Canvas& canvas) const {
             margins.below = std::max(margins.below, half - up);
         }
         if (side.label.empty()) return;
-        const double beyond = 0.5 * (canvas.text_size(side.label, label_text)[0] - frame_.height);
+        const double beyond =
+            0.5 * (canvas.text_size(side.label, label_text_size_em)[0] - frame_.height);
         margins.above = std::max(margins.above, beyond);
         margins.below = std::max(margins.below, beyond);
     };
@@ -196,17 +201,18 @@ void PlotAxes::draw_across(Canvas& canvas) const {
                       black_ink);
         return x;
     };
-    for (const double value : x_.ticks.minor) mark(value, minor_mark);
-    const double labels = bottom + (major_mark + gap_of_labels) * font;
+    for (const double value : x_.ticks.minor) mark(value, minor_mark_em);
+    const double labels = bottom + (major_mark_em + label_gap_em) * font;
     for (std::size_t i = 0; i < x_.ticks.values.size(); ++i) {
-        const double x = mark(x_.ticks.values[i], major_mark);
+        const double x = mark(x_.ticks.values[i], major_mark_em);
         if (x_.labelled)
-            canvas.write(x_.ticks.labels[i], {x, labels}, {0.5, 0.0}, black_ink, tick_text);
+            canvas.write(x_.ticks.labels[i], {x, labels}, {0.5, 0.0}, black_ink, tick_text_size_em);
     }
     if (!x_.labelled) return;
-    const double below = labels + text_height(canvas, tick_text) + gap_of_labels * font;
+    const double below = labels + text_height(canvas, tick_text_size_em) + label_gap_em * font;
     if (!x_.label.empty())
-        canvas.write(x_.label, {frame_.middle().x, below}, {0.5, 0.0}, black_ink, label_text);
+        canvas.write(x_.label, {frame_.middle().x, below}, {0.5, 0.0}, black_ink,
+                     label_text_size_em);
 }
 
 void PlotAxes::draw_upward(Canvas& canvas, const Side& side, bool on_right) const {
@@ -221,20 +227,20 @@ void PlotAxes::draw_upward(Canvas& canvas, const Side& side, bool on_right) cons
                       line, black_ink);
         return y;
     };
-    for (const double value : side.ticks.minor) mark(value, minor_mark);
-    const double labels = edge + outward * (major_mark + gap_of_labels) * font;
+    for (const double value : side.ticks.minor) mark(value, minor_mark_em);
+    const double labels = edge + outward * (major_mark_em + label_gap_em) * font;
     for (std::size_t i = 0; i < side.ticks.values.size(); ++i) {
-        const double y = mark(side.ticks.values[i], major_mark);
+        const double y = mark(side.ticks.values[i], major_mark_em);
         if (!side.labelled) continue;
         // Flush with the digits of all others.
         const double x = on_right ? labels + side.widest : labels;
-        canvas.write(side.ticks.labels[i], {x, y}, {1.0, 0.5}, black_ink, tick_text);
+        canvas.write(side.ticks.labels[i], {x, y}, {1.0, 0.5}, black_ink, tick_text_size_em);
     }
     if (!side.labelled) return;
     if (side.label.empty()) return;
     canvas.write(side.label,
-                 {labels + outward * (side.widest + gap_of_labels * font), frame_.middle().y},
-                 {anchor, 0.5}, black_ink, label_text, true);
+                 {labels + outward * (side.widest + label_gap_em * font), frame_.middle().y},
+                 {anchor, 0.5}, black_ink, label_text_size_em, true);
 }
 
 }  // namespace fumon

@@ -49,7 +49,7 @@ class PlotAxes {
 };
 
 /// Sizes of texts, of the canvas's font size.
-constexpr double tick_text = 0.85;
-constexpr double label_text = 0.95;
+constexpr double tick_text_size_em = 0.85;
+constexpr double label_text_size_em = 0.95;
 
 }  // namespace fumon

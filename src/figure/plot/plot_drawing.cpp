@@ -14,7 +14,7 @@ struct LabelAnchor {
 };
 
 CanvasBox text_box(const Canvas& canvas, const std::string& text, const LabelAnchor& place) {
-    const auto [width, height] = canvas.text_size(text, tick_text);
+    const auto [width, height] = canvas.text_size(text, tick_text_size_em);
     return {place.at.x - place.anchor.x * width, place.at.y - place.anchor.y * height, width,
             height};
 }
@@ -109,7 +109,7 @@ PlotDrawing::PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox
     }
     for (std::size_t i = 0; i < stated.size(); ++i) {
         if (plot.boxes[i].label.empty()) continue;
-        const auto [width, height] = canvas.text_size(plot.boxes[i].label, tick_text);
+        const auto [width, height] = canvas.text_size(plot.boxes[i].label, tick_text_size_em);
         const bool fits = width <= stated[i].width - gap && height <= stated[i].height;
         CoveredArea others = clutter;
         for (std::size_t j = 0; j < stated.size(); ++j) {

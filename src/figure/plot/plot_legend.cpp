@@ -9,14 +9,14 @@ namespace fumon {
 
 namespace {
 
-constexpr double sample = 2.2;          // its length, font sizes
-constexpr double sample_gap = 0.5;      // before its text
-constexpr double legend_padding = 0.3;  // around all
-constexpr double apart = 0.5;           // from the frame
-constexpr double column_gap = 1.2;
-constexpr double row_height = 1.25;    // of the text's own
-constexpr double widest_beside = 9.0;  // a legend right of the frame, font sizes
-constexpr int fewest_beside = 4;       // its entries; fewer stand in a row below
+constexpr double sample_length_em = 2.2;   // its length, font sizes
+constexpr double sample_gap_em = 0.5;      // before its text
+constexpr double legend_padding_em = 0.3;  // around all
+constexpr double frame_gap_em = 0.5;       // from the frame
+constexpr double column_gap_em = 1.2;
+constexpr double row_height_em = 1.25;    // of the text's own
+constexpr double widest_beside_em = 9.0;  // a legend right of the frame, font sizes
+constexpr int fewest_beside_entries = 4;  // its entries; fewer stand in a row below
 
 /// The series with a label, and their texts in columns, each as wide as its widest.
 struct Entries {
@@ -40,19 +40,19 @@ Entries entries_of(const Canvas& canvas, const Plot& plot) {
     const double font = canvas.font_size();
     for (std::size_t n = 0; n < plot.series.size(); ++n) {
         if (plot.series[n].label.empty()) continue;
-        const auto [width, height] = canvas.text_size(plot.series[n].label, tick_text);
+        const auto [width, height] = canvas.text_size(plot.series[n].label, tick_text_size_em);
         entries.series.push_back(n);
-        entries.widths.push_back(width + (sample + sample_gap) * font);
-        entries.height = std::max(entries.height, row_height * height);
+        entries.widths.push_back(width + (sample_length_em + sample_gap_em) * font);
+        entries.height = std::max(entries.height, row_height_em * height);
     }
     return entries;
 }
 
 /// Width and height in so many columns.
 std::array<double, 2> size_of(const Entries& entries, int columns, double font) {
-    double width = (2.0 * legend_padding + (columns - 1) * column_gap) * font;
+    double width = (2.0 * legend_padding_em + (columns - 1) * column_gap_em) * font;
     for (int column = 0; column < columns; ++column) width += entries.column_width(column, columns);
-    return {width, entries.rows(columns) * entries.height + 2.0 * legend_padding * font};
+    return {width, entries.rows(columns) * entries.height + 2.0 * legend_padding_em * font};
 }
 
 struct Anchor {
@@ -107,7 +107,7 @@ bool touches(const std::pair<CanvasPoint, CanvasPoint>& segment, const CanvasBox
 /// Within the frame, where it covers nothing; over references only if there is no other place.
 std::optional<LegendBox> free_place(const Entries& entries, const CanvasBox& frame, double font,
                                     const CoveredArea& clutter) {
-    const double gap = apart * font;
+    const double gap = frame_gap_em * font;
     std::optional<LegendBox> over_references;
     for (int columns = 1; columns <= entries.count(); ++columns) {
         const auto [across, down] = size_of(entries, columns, font);
@@ -133,7 +133,7 @@ LegendBox below(const Entries& entries, const CanvasBox& frame, const PanelMargi
     }
     const auto [width, height] = size_of(entries, columns, font);
     return {{frame.x + 0.5 * (frame.width - width),
-             frame.bottom() + margins.below + legend_padding * font, width, height},
+             frame.bottom() + margins.below + legend_padding_em * font, width, height},
             columns,
             false};
 }
@@ -160,15 +160,16 @@ std::optional<LegendBox> place_legend(const Canvas& canvas, const Plot& plot, co
     const double font = canvas.font_size();
     const CanvasBox& frame = axes.frame();
     const auto [width, height] = size_of(entries, 1, font);
-    const double gap = apart * font;
+    const double gap = frame_gap_em * font;
     if (const auto corner = named_corner(plot.legend))
         return LegendBox{box_at(*corner, frame, width, height, gap), 1, true};
     if (plot.legend == LegendPosition::automatic) {
         if (const auto place = free_place(entries, frame, font, clutter)) return place;
     }
-    const bool beside = plot.legend == LegendPosition::right ||
-                        (plot.legend == LegendPosition::automatic &&
-                         entries.count() >= fewest_beside && width <= widest_beside * font);
+    const bool beside =
+        plot.legend == LegendPosition::right ||
+        (plot.legend == LegendPosition::automatic && entries.count() >= fewest_beside_entries &&
+         width <= widest_beside_em * font);
     if (!beside) return below(entries, frame, margins, font);
     return LegendBox{{frame.right() + margins.right + gap, frame.y, width, height}, 1, false};
 }
@@ -179,16 +180,16 @@ void draw_legend(Canvas& canvas, const Plot& plot, const LegendBox& legend) {
     const double font = canvas.font_size();
     if (legend.inside) canvas.fill(legend.box, white_ink);
     const int rows = entries.rows(legend.columns);
-    double x = legend.box.x + legend_padding * font;
+    double x = legend.box.x + legend_padding_em * font;
     for (int i = 0; i < entries.count(); ++i) {
         if (i > 0 && i % rows == 0)
-            x += entries.column_width(i / rows - 1, legend.columns) + column_gap * font;
+            x += entries.column_width(i / rows - 1, legend.columns) + column_gap_em * font;
         const std::size_t n = entries.series[static_cast<std::size_t>(i)];
         const CanvasPoint at{
-            x, legend.box.y + legend_padding * font + (i % rows + 0.5) * entries.height};
-        draw_sample(canvas, plot.series[n], looks[n], at, sample * font);
-        canvas.write(plot.series[n].label, {at.x + (sample + sample_gap) * font, at.y}, {0.0, 0.5},
-                     black_ink, tick_text);
+            x, legend.box.y + legend_padding_em * font + (i % rows + 0.5) * entries.height};
+        draw_sample(canvas, plot.series[n], looks[n], at, sample_length_em * font);
+        canvas.write(plot.series[n].label, {at.x + (sample_length_em + sample_gap_em) * font, at.y},
+                     {0.0, 0.5}, black_ink, tick_text_size_em);
     }
 }
 

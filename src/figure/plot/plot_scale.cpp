@@ -15,11 +15,11 @@ namespace fumon {
 
 namespace {
 
-constexpr int ticks_to_round_by = 6;
-constexpr double rounding_of_step = 1e-9;  // of a step
-constexpr double most_waste = 0.12;        // of the range, for an end at a labelled number
-constexpr double near_zero = 0.35;         // of the far end: then 0 is shown
-constexpr double most_decade_waste = 0.31;
+constexpr int rounding_tick_count = 6;
+constexpr double step_rounding_share = 1e-9;  // of a step
+constexpr double most_waste_share = 0.12;     // of the range, for an end at a labelled number
+constexpr double near_zero_share = 0.35;      // of the far end: then 0 is shown
+constexpr double most_decade_waste_share = 0.31;
 
 /// What a step is divided into by minor ticks.
 int parts_of(const RoundStep& step) {
@@ -29,12 +29,13 @@ int parts_of(const RoundStep& step) {
 /// The nearest multiple of a step that is not above, or not below, a value.
 double rounded(double value, double step, bool up) {
     const double steps = value / step;
-    return step * (up ? std::ceil(steps - rounding_of_step) : std::floor(steps + rounding_of_step));
+    return step *
+           (up ? std::ceil(steps - step_rounding_share) : std::floor(steps + step_rounding_share));
 }
 
 double rounded_end(double value, const RoundStep& step, double range, bool up) {
     const double end = rounded(value, step.value(), up);
-    if (std::abs(end - value) <= most_waste * range) return end;
+    if (std::abs(end - value) <= most_waste_share * range) return end;
     return rounded(value, step.value() / parts_of(step), up);
 }
 
@@ -50,14 +51,14 @@ ValueRange with_width(ValueRange values, bool logarithmic) {
 double logarithmic_end(double value, bool up) {
     const double power = elementary::log10(value);
     const double whole =
-        up ? std::ceil(power - rounding_of_step) : std::floor(power + rounding_of_step);
-    if (std::abs(whole - power) <= most_decade_waste) return elementary::pow(10.0, whole);
+        up ? std::ceil(power - step_rounding_share) : std::floor(power + step_rounding_share);
+    if (std::abs(whole - power) <= most_decade_waste_share) return elementary::pow(10.0, whole);
     const double decade = elementary::pow(10.0, std::floor(power));
     double best = up ? 10.0 * decade : decade;
     for (const double leading : {2.0, 5.0}) {
         const double end = leading * decade;
-        if (up && end >= value * (1.0 - rounding_of_step)) best = std::min(best, end);
-        if (!up && end <= value * (1.0 + rounding_of_step)) best = std::max(best, end);
+        if (up && end >= value * (1.0 - step_rounding_share)) best = std::min(best, end);
+        if (!up && end <= value * (1.0 + step_rounding_share)) best = std::max(best, end);
     }
     return best;
 }
@@ -70,17 +71,17 @@ PlotScale logarithmic_scale(const PlotAxis& axis, const ValueRange& values, doub
 
 PlotScale linear_scale(const PlotAxis& axis, ValueRange values, double room) {
     const double margin = room * (values.high - values.low);
-    if (values.low > 0.0 && values.low < near_zero * values.high) values.low = 0.0;
-    if (values.high < 0.0 && values.high > near_zero * values.low) values.high = 0.0;
+    if (values.low > 0.0 && values.low < near_zero_share * values.high) values.low = 0.0;
+    if (values.high < 0.0 && values.high > near_zero_share * values.low) values.high = 0.0;
     const double low = axis.low.value_or(values.low == 0.0 ? 0.0 : values.low - margin);
     const double high = axis.high.value_or(values.high == 0.0 ? 0.0 : values.high + margin);
-    const RoundStep step = round_step(low, high, ticks_to_round_by);
+    const RoundStep step = round_step(low, high, rounding_tick_count);
     return {axis.low.value_or(rounded_end(low, step, high - low, false)),
             axis.high.value_or(rounded_end(high, step, high - low, true)), false};
 }
 
 std::string logarithmic_label(double value) {
-    const int power = power_below(value, rounding_of_step);
+    const int power = power_below(value, step_rounding_share);
     constexpr int most_digits = 4;
     if (std::abs(power) > most_digits) {
         const int leading =
@@ -99,8 +100,8 @@ PlotTicks narrow_logarithmic_ticks(const PlotScale& scale, int most) {
     for (int power = first; power <= last; ++power) {
         for (int leading = 1; leading < 10; ++leading) {
             const double value = leading * elementary::pow(10.0, power);
-            if (value < scale.low * (1.0 - rounding_of_step) ||
-                value > scale.high * (1.0 + rounding_of_step))
+            if (value < scale.low * (1.0 - step_rounding_share) ||
+                value > scale.high * (1.0 + step_rounding_share))
                 continue;
             const bool labelled = leading == 1 || leading == 2 || leading == 5;
             (labelled ? ticks.values : ticks.minor).push_back(value);
@@ -118,21 +119,21 @@ PlotTicks wide_logarithmic_ticks(const PlotScale& scale, int most) {
     const Ticks powers = logarithmic_ticks(scale.low, scale.high, most);
     ticks.values = powers.values;
     ticks.labels = powers.labels;
-    const int first = power_below(scale.low, rounding_of_step);
-    const int last = power_below(scale.high, rounding_of_step);
+    const int first = power_below(scale.low, step_rounding_share);
+    const int last = power_below(scale.high, step_rounding_share);
     constexpr int most_decades = 12;  // with minor marks in each
     const bool all = ticks.values.size() < 2 || ticks.values[1] < 11.0 * ticks.values[0];
     for (int power = first; power <= last; ++power) {
         const double decade = elementary::pow(10.0, power);
         const bool labelled =
             std::any_of(ticks.values.begin(), ticks.values.end(), [decade](double value) {
-                return std::abs(value - decade) < rounding_of_step * decade;
+                return std::abs(value - decade) < step_rounding_share * decade;
             });
         for (int leading = labelled ? 2 : 1; leading < 10; ++leading) {
             const double value = leading * decade;
             if (leading > 1 && (!all || last - first > most_decades)) break;
-            if (value >= scale.low * (1.0 - rounding_of_step) &&
-                value <= scale.high * (1.0 + rounding_of_step))
+            if (value >= scale.low * (1.0 - step_rounding_share) &&
+                value <= scale.high * (1.0 + step_rounding_share))
                 ticks.minor.push_back(value);
         }
     }
@@ -146,7 +147,7 @@ PlotTicks linear_plot_ticks(const PlotScale& scale, int most) {
     double largest = 0.0;
     for (const double value : ticks.values) largest = std::max(largest, std::abs(value));
     if (largest > 0.0 && (largest >= 1e5 || largest < 1e-2)) {
-        ticks.power = power_below(largest, rounding_of_step);
+        ticks.power = power_below(largest, step_rounding_share);
     }
     for (const double value : ticks.values)
         ticks.labels.push_back(plain_number(value / elementary::pow(10.0, ticks.power),

@@ -50,7 +50,7 @@ PlotRanges plot_ranges(const Plot& plot);
 /// The room that a plot keeps between its values and the ends of the x axis: none where curves
 /// only reach them. As a share of the range.
 double room_along_x(const Plot& plot);
-constexpr double room_along_y = 0.03;
+constexpr double room_along_y_share = 0.03;
 
 /// The marks of a plot's axis.
 struct PlotTicks {

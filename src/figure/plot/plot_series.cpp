@@ -10,15 +10,15 @@ namespace fumon {
 
 namespace {
 
-constexpr double curve_width = 2.0;  // of the frame's line
+constexpr double curve_width_ratio = 2.0;  // of the frame's line
 constexpr double band_opacity = 0.25;
 constexpr Ink dark_edge{0.25, 0.25, 0.25, 1.0};
-constexpr double cap = 0.2;   // half the cap of an error bar, font sizes
-constexpr double head = 0.5;  // of the arrow of one that goes on beyond the frame
+constexpr double error_bar_cap_em = 0.2;  // half the cap of an error bar, font sizes
+constexpr double arrow_head_em = 0.5;     // of the arrow of one that goes on beyond the frame
 
 double line_width_of(const Canvas& canvas, const PlotSeries& series) {
     if (series.width > 0.0) return series.width;
-    return canvas.line_width() * (series.kind == SeriesKind::fit ? 1.5 : curve_width);
+    return canvas.line_width() * (series.kind == SeriesKind::fit ? 1.5 : curve_width_ratio);
 }
 
 bool has_line(const PlotSeries& series) {
@@ -107,8 +107,8 @@ void draw_half_bar(Canvas& canvas, const CanvasBox& frame, const CanvasPoint& fr
         canvas.stroke(std::array<CanvasPoint, 2>{begin, end}, width, ink);
     };
     const bool upright = to.x == from.x;
-    const double across = upright ? cap * font : 0.0;  // along the cap
-    const double along = upright ? 0.0 : cap * font;
+    const double across = upright ? error_bar_cap_em * font : 0.0;  // along the cap
+    const double along = upright ? 0.0 : error_bar_cap_em * font;
     if (within(to, frame) || !within(from, frame)) {
         stroke(from, to);
         stroke({to.x - across, to.y - along}, {to.x + across, to.y + along});
@@ -118,7 +118,8 @@ void draw_half_bar(Canvas& canvas, const CanvasBox& frame, const CanvasPoint& fr
                           std::clamp(to.y, frame.y, frame.bottom())};
     const double way_x = upright ? 0.0 : (to.x > from.x ? 1.0 : -1.0);
     const double way_y = upright ? (to.y > from.y ? 1.0 : -1.0) : 0.0;
-    const CanvasPoint foot{tip.x - way_x * head * font, tip.y - way_y * head * font};
+    const CanvasPoint foot{tip.x - way_x * arrow_head_em * font,
+                           tip.y - way_y * arrow_head_em * font};
     stroke(from, foot);
     canvas.fill(
         std::array<CanvasPoint, 3>{

@@ -15,9 +15,9 @@ namespace fumon {
 
 namespace {
 
-constexpr double rounding_of_end = 1e-9;  // of a step, by which an end may miss a multiple of it
+constexpr double end_rounding_share = 1e-9;  // of a step, by which an end may miss a multiple of it
 
-constexpr int most_power = 400;  // of ten: beyond all doubles
+constexpr int most_power_of_ten = 400;  // of ten: beyond all doubles
 
 std::string with_minus_sign(std::string text) {
     if (!text.empty() && text.front() == '-') text.replace(0, 1, "\u2212");
@@ -36,7 +36,8 @@ std::string superscript(int number) {
 }  // namespace
 
 int power_below(double value, double above) {
-    return truncated_within(std::floor(elementary::log10(value) + above), -most_power, most_power);
+    return truncated_within(std::floor(elementary::log10(value) + above), -most_power_of_ten,
+                            most_power_of_ten);
 }
 
 double RoundStep::value() const {
@@ -49,8 +50,8 @@ RoundStep round_step(double low, double high, int most) {
     for (;; ++exponent) {
         for (const int leading : {1, 2, 5}) {
             const RoundStep step{leading, exponent};
-            const auto first = truncated(std::ceil(low / step.value() - rounding_of_end));
-            const auto last = truncated(std::floor(high / step.value() + rounding_of_end));
+            const auto first = truncated(std::ceil(low / step.value() - end_rounding_share));
+            const auto last = truncated(std::floor(high / step.value() + end_rounding_share));
             if (last - first + 1 <= std::max(most, 2)) return step;
         }
     }
@@ -58,8 +59,8 @@ RoundStep round_step(double low, double high, int most) {
 
 std::vector<double> multiples(double step, double low, double high) {
     std::vector<double> values;
-    const auto first = truncated(std::ceil(low / step - rounding_of_end));
-    const auto last = truncated(std::floor(high / step + rounding_of_end));
+    const auto first = truncated(std::ceil(low / step - end_rounding_share));
+    const auto last = truncated(std::floor(high / step + end_rounding_share));
     for (long long i = first; i <= last; ++i) values.push_back(static_cast<double>(i) * step);
     return values;
 }
@@ -85,10 +86,10 @@ Ticks linear_ticks(double low, double high, int most) {
 Ticks logarithmic_ticks(double low, double high, int most) {
     Ticks ticks;
     if (!(low > 0.0) || !std::isfinite(high) || !(low < high)) return ticks;
-    const int first = truncated_within(std::ceil(elementary::log10(low) - rounding_of_end),
-                                       -most_power, most_power);
-    const int last = truncated_within(std::floor(elementary::log10(high) + rounding_of_end),
-                                      -most_power, most_power);
+    const int first = truncated_within(std::ceil(elementary::log10(low) - end_rounding_share),
+                                       -most_power_of_ten, most_power_of_ten);
+    const int last = truncated_within(std::floor(elementary::log10(high) + end_rounding_share),
+                                      -most_power_of_ten, most_power_of_ten);
     const int every = std::max(1, (last - first + std::max(most, 1)) / std::max(most, 1));
     for (int power = first; power <= last; power += every) {
         ticks.values.push_back(elementary::pow(10.0, power));

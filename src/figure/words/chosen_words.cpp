@@ -19,8 +19,8 @@ bool names_file(const std::string& item) {
 void add_entry(const std::string& item, WordTable& table) {
     const auto fail = [&]() -> KeyError {
         return KeyError("image.words", "image.words has \"" + item +
-                                           "\"; an entry is a file that ends in .toml, or "
-                                           "\"words: wind = 風\", or the same of units or names");
+                                           "\"; write the name of a .toml file, or an entry such "
+                                           "as \"words: wind = 風\" (units: and names: likewise)");
     };
     const std::size_t colon = item.find(": ");
     const std::size_t equal = item.find(" = ", colon == std::string::npos ? 0 : colon);
@@ -79,7 +79,7 @@ void read_picture_words(Scene& scene) {
         }
         const std::string place = scene.at("image.words");
         if (!scene.trusted && !scene.set_on_command_line("image.words"))
-            throw InputError(place + "a scene that others named reads no table of words");
+            throw InputError(place + "a scene of unknown origin may not read a table of words");
         const std::filesystem::path named(item);
         const std::filesystem::path file =
             named.is_absolute() || scene.set_on_command_line("image.words")

@@ -66,8 +66,8 @@ void check_word(const std::string& english, std::string_view own, const std::str
                                      nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
     }
     if (!same_places(own, english)) {
-        throw InputError(fmt::format("{}\"{}\" must have the places of \"{}\": {}", place, own,
-                                     english, fmt::join(places_in(english), " ")));
+        throw InputError(fmt::format("{}\"{}\" must have the placeholders of \"{}\": {}", place,
+                                     own, english, fmt::join(places_in(english), " ")));
     }
 }
 
@@ -109,7 +109,7 @@ WordTable words_of_language(const std::string& language) {
     if (language == "en") return {};
     const std::vector<std::string> known = word_languages();
     if (std::ranges::find(known, language) == known.end()) {
-        throw InputError(fmt::format("fumon has no words of \"{}\"; it has those of {}", language,
+        throw InputError(fmt::format("fumon has no translation \"{}\"; it has {}", language,
                                      fmt::join(known, ", ")));
     }
     const std::filesystem::path file = data_file(fmt::format("{}/{}.toml", folder, language));

@@ -28,7 +28,7 @@ void read_crs(GDALDatasetH dataset, RasterGeoReference& place, const Refuse& ref
     place.grid->degrees = crs.is_geographic();
     place.units_known = crs.is_geographic() || crs.is_projected() || crs.is_local();
     if (place.grid->degrees && std::abs(crs.degrees_per_unit() - 1.0) > 1e-9)
-        refuse("has angles that are no degrees", "make a grid in degrees of it (gdalwarp)");
+        refuse("has an angular unit other than degrees", "reproject it to degrees (gdalwarp)");
     if (const auto length = crs.height_length()) {
         place.metres_per_height = length->metres;
         place.height_unit = length->name;
@@ -43,18 +43,18 @@ RasterGeoReference raster_georeference(GDALDatasetH dataset, int nx, int ny, con
     std::array<double, 6> transform{};
     if (gdal().GDALGetGeoTransform(dataset, transform.data()) != CE_None) {
         if (gdal().GDALGetGCPCount(dataset) > 0)
-            refuse("is placed by ground control points",
-                   "make an even grid of it first (gdalwarp)");
+            refuse("is georeferenced by ground control points",
+                   "warp it to a regular grid first (gdalwarp)");
         if (gdal().GDALGetMetadata(dataset, "RPC") != nullptr)
-            refuse("is placed by rational polynomials (RPC)",
-                   "make an even grid of it first (gdalwarp -rpc)");
+            refuse("is georeferenced by rational polynomials (RPC)",
+                   "warp it to a regular grid first (gdalwarp -rpc)");
         if (gdal().GDALGetMetadata(dataset, "GEOLOCATION") != nullptr)
-            refuse("is placed by arrays of coordinates",
-                   "make an even grid of it first (gdalwarp -geoloc)");
+            refuse("is georeferenced by arrays of coordinates",
+                   "warp it to a regular grid first (gdalwarp -geoloc)");
         return place;
     }
     if (transform[2] != 0.0 || transform[4] != 0.0)
-        refuse("has rotated or skewed cells", "turn it to north first (gdalwarp)");
+        refuse("has rotated or skewed cells", "warp it to a north-up grid first (gdalwarp)");
     const double dx = transform[1];
     const double dy = -transform[5];
     if (!std::isfinite(dx * dy * transform[0] * transform[3]) || dx == 0.0 || dy == 0.0)

@@ -79,7 +79,7 @@ void check_even(const NetcdfInput& input, const NetcdfAxis& axis,
         input.refuse(fmt::format("{} is not evenly spaced: {}[{}] is {:.9g} where even spacing "
                                  "has {:.9g}",
                                  axis.name, axis.name, i, coordinates[i], expected),
-                     "put the heights on an even grid first");
+                     "interpolate the heights to even spacing first");
     }
 }
 
@@ -114,7 +114,7 @@ NetcdfAxis netcdf_axis(const NetcdfInput& input, int variable, std::vector<doubl
         if (!offset.empty()) value += offset.front();
         if (!std::isfinite(value))
             input.refuse(fmt::format("{}[{}] is not a finite number", axis.name, i),
-                         "every coordinate must be one");
+                         "all coordinates must be finite");
     }
     axis.lowest = std::min(coordinates.front(), coordinates.back()) * unit.metres;
     if (axis.count == 1) return axis;

@@ -71,9 +71,7 @@ NetcdfLock::NetcdfLock()
 void check_netcdf(int status) {
     if (status == NC_ENOMEM) throw std::bad_alloc();
     if (status == NC_EHDFERR)
-        throw NetcdfFault(
-            "HDF error: bytes of it do not fit their checksum, or the disk does not give or take "
-            "them");
+        throw NetcdfFault("HDF error: a checksum does not match, or the disk failed");
     if (status != NC_NOERR) throw NetcdfFault(nc_strerror(status));
 }
 

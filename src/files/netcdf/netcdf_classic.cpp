@@ -154,10 +154,10 @@ std::optional<std::uint64_t> needed_length(const std::filesystem::path& file) {
         variables.push_back(read_variable(header, width, offset_width, lengths));
     // The library divides by such lengths, and by the size of such types.
     if (!header.types_known() || !std::ranges::all_of(variables, &Variable::sound))
-        throw InputError(fmt::format(
-            "{}: something in it is of no known type, or over a dimension that is not there or of "
-            "no length; it is damaged: copy it again",
-            file.string()));
+        throw InputError(
+            fmt::format("{}: it has an element of unknown type, or with a missing or empty "
+                        "dimension; it is damaged: copy it again",
+                        file.string()));
     if (!header.good()) return UINT64_MAX;  // it ends within its header
 
     std::uint64_t record_bytes = 0;
@@ -190,7 +190,7 @@ void refuse_damaged_classic_file(const std::filesystem::path& file) {
             "{}: ends within its header, after {} bytes; it is damaged or cut short: copy it again",
             file.string(), length));
     throw InputError(
-        fmt::format("{}: has {} bytes where its header tells of {}; it is cut short: copy it again",
+        fmt::format("{}: has {} bytes, but its header needs {}; it is cut short: copy it again",
                     file.string(), length, *needed));
 }
 

@@ -71,7 +71,7 @@ void copy_record(const NetcdfInput& from, const SourceVariables& source, std::si
         to.put(layout.numbers[i], at, number_at(from, source.numbers[i], record));
     if (layout.section) {
         const auto section = read_section(from, record);
-        if (!fits(section.get(), *layout.section)) throw NetcdfFault("it has another section");
+        if (!fits(section.get(), *layout.section)) throw NetcdfFault("it has a different section");
         write_section(to, *layout.section, at, *section);
     }
     long long step = 0;

@@ -77,8 +77,8 @@ std::int64_t read_records(const fs::path& file, std::int64_t most, const Snapsho
 std::string read_piece(const fs::path& file, std::int64_t most, const Snapshot& first,
                        Sha256Stream& hash, std::int64_t& records) {
     std::error_code fault;
-    if (!fs::exists(file, fault)) return "is not there";
-    if (!fs::is_regular_file(file, fault)) return "is no file";
+    if (!fs::exists(file, fault)) return "does not exist";
+    if (!fs::is_regular_file(file, fault)) return "is not a file";
     const NetcdfLock lock;
     try {
         records = read_records(file, most, first, hash);
@@ -154,7 +154,7 @@ class FieldsFile::Parts {
     void resume(const FieldsBeginning& beginning) {
         LeftPieces left = find_pieces(file_, outline_, beginning, hash_);
         if (!left.difference.what.empty())
-            throw InputError(fmt::format("{}: cannot go on with it: it {}",
+            throw InputError(fmt::format("{}: cannot be continued: it {}",
                                          left.difference.file.string(), left.difference.what));
         closed_ = std::move(left.pieces);
         total_ = beginning.records;
@@ -203,7 +203,7 @@ class FieldsFile::Parts {
         for (const ClosedPiece& piece : closed_) whole.copy(piece.path, piece.used);
         if (joined.so_far() != hash_.so_far())
             throw Error(fmt::format(
-                "cannot write {}: a piece of it has changed since it was written", file_.string()));
+                "cannot write {}: a part of it has changed since it was written", file_.string()));
         whole.close_as(file_);
         remove_fields_pieces(file_);
     }

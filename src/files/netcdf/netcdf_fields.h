@@ -79,7 +79,7 @@ class FieldsFile {
 /// Where what a stopped run left of a fields file is not what it wrote.
 struct FieldsDifference {
     std::filesystem::path file;  ///< NAME, or one of its pieces
-    std::string what;  ///< "is not there", "has 2 records of 7" …; empty where nothing is
+    std::string what;  ///< "does not exist", "has 2 records of 7" …; empty where nothing is
 };
 
 /// Compares what a run of this first snapshot left with the records that it had. Reads them all.

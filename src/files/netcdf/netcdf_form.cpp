@@ -33,8 +33,8 @@ bool has_size(const Grid& grid, const RecordForm& form) {
 }
 
 [[noreturn]] void refuse_form(const std::filesystem::path& file, std::string_view what) {
-    throw Error(
-        fmt::format("cannot write {}: {}; all records of a file are alike", file.string(), what));
+    throw Error(fmt::format("cannot write {}: {}; all records of a file must have the same form",
+                            file.string(), what));
 }
 
 void check_whole_section(const std::filesystem::path& file, const RecordForm& form,
@@ -42,12 +42,10 @@ void check_whole_section(const std::filesystem::path& file, const RecordForm& fo
     constexpr int fewest = 2;  // nodes from which a spacing can be told
     const int nz = form.section->nz;
     if (form.ny != 1 || form.nx < fewest || nz < fewest)
-        refuse_form(
-            file,
-            fmt::format(
-                "a section of {} x {} nodes stands on a bed of {} x {} cells; it has 2 x 2 nodes "
-                "or more, and its bed one row",
-                form.nx, nz, form.nx, form.ny));
+        refuse_form(file,
+                    fmt::format("a section of {} x {} nodes lies over a bed of {} x {} cells; a "
+                                "section needs 2 x 2 nodes or more, and a bed of one row",
+                                form.nx, nz, form.nx, form.ny));
     for (const SnapshotField& field : section.fields) {
         if (field.values.nx() != form.nx || field.values.ny() != nz)
             refuse_form(file, fmt::format("{} has {} x {} nodes, the section {} x {}", field.name,

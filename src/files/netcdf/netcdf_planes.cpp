@@ -64,7 +64,7 @@ std::optional<std::pair<NetcdfAxis, NetcdfAxis>> axes_of_planes(const NetcdfInpu
             fmt::format("{} lies on a rotated or curvilinear grid: {} and {} differ along both of "
                         "its sides",
                         bed.name, input.variable_name(*eastward), input.variable_name(*northward)),
-            "bring it onto an even grid first (cdo remapbil, gdalwarp or xESMF)");
+            "interpolate it to a regular grid first (cdo remapbil, gdalwarp or xESMF)");
     }
     std::vector<double> columns(static_cast<std::size_t>(x.nx()));
     std::vector<double> rows(static_cast<std::size_t>(y.ny()));

@@ -83,7 +83,7 @@ std::optional<FieldsRecord> read_record(const NetcdfInput& input) {
 std::size_t record_of(const NetcdfInput& input, std::int64_t step) {
     const auto variable = input.find_variable("step");
     if (!variable || input.dimensions(*variable).size() != 1)
-        input.refuse("is not a fields file of fumon's", "delete it");
+        input.refuse("is not a fields file written by fumon", "delete it");
     const auto step_of = [&](std::size_t record) {
         long long value = 0;
         check_netcdf(nc_get_var1_longlong(input.id(), *variable, &record, &value));
@@ -113,7 +113,7 @@ std::vector<FieldsMoment> moments_of(const NetcdfInput& input) {
     const auto time = input.find_variable("time");
     if (!step || !time || input.dimensions(*step).size() != 1 ||
         input.dimensions(*time) != input.dimensions(*step))
-        input.refuse("is not a fields file of fumon's", "take the one that the run wrote");
+        input.refuse("is not a fields file written by fumon", "use the file that the run wrote");
     const std::vector<int> over = input.dimensions(*step);
     const std::size_t records = input.values_over(over);
     std::vector<FieldsMoment> moments(records);
@@ -128,14 +128,16 @@ std::vector<FieldsMoment> moments_of(const NetcdfInput& input) {
 
 int variable_of(const NetcdfInput& input, const std::string& name) {
     const auto variable = input.find_variable(name);
-    if (!variable) input.refuse(fmt::format("has no {}", name), "it is of another run: delete it");
+    if (!variable)
+        input.refuse(fmt::format("has no {}", name), "it belongs to another run: delete it");
     return *variable;
 }
 
 double number_at(const NetcdfInput& input, const std::string& name, std::size_t record) {
     const int variable = variable_of(input, name);
     if (input.dimensions(variable).size() != 1)
-        input.refuse(fmt::format("has no {} of a step", name), "it is of another run: delete it");
+        input.refuse(fmt::format("has no {} of a step", name),
+                     "it belongs to another run: delete it");
     double value = 0.0;
     check_netcdf(nc_get_var1_double(input.id(), variable, &record, &value));
     return value;
@@ -143,7 +145,7 @@ double number_at(const NetcdfInput& input, const std::string& name, std::size_t 
 
 void check_size(const NetcdfInput& input, const Grid& values, const Grid& bed) {
     if (values.nx() == bed.nx() && values.ny() == bed.ny()) return;
-    input.refuse("has another size", "it is of another run: delete it");
+    input.refuse("has another size", "it belongs to another run: delete it");
 }
 
 /// The bed of a record, and where it has none the mask.
@@ -195,7 +197,7 @@ std::vector<FieldsMoment> read_fields_moments(const std::filesystem::path& file)
 std::string read_fields_scene(const std::filesystem::path& file) {
     return locked(file, [](const NetcdfInput& input) {
         auto scene = input.text(NC_GLOBAL, "scene");
-        if (!scene) input.refuse("holds no scene", "take the one that the run wrote");
+        if (!scene) input.refuse("holds no scene", "use the file that the run wrote");
         return *std::move(scene);
     });
 }

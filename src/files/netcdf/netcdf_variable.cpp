@@ -57,7 +57,7 @@ Sides sides_of(const NetcdfInput& input, int variable) {
     }
     if (sides.x < 0 || sides.y < 0 || std::ranges::count(over, sides.x) > 1 ||
         std::ranges::count(over, sides.y) > 1) {
-        sides.obstacle = fmt::format("is over {} and {}, which is no map",
+        sides.obstacle = fmt::format("has the dimensions {} and {}, which do not form a map",
                                      input.dimension_name(over[over.size() - 2]),
                                      input.dimension_name(over.back()));
         return sides;

@@ -156,7 +156,7 @@ void refuse_what_is_no_grid(const TextSource& source, std::size_t start) {
                                std::size_t first) {
     source.fail(
         offset,
-        fmt::format("{} stands here again (first on line {})", word, line_of(source.text, first)),
+        fmt::format("{} occurs again (first on line {})", word, line_of(source.text, first)),
         "keep one of the two lines");
 }
 

@@ -95,8 +95,8 @@ void make_true_lengths(Terrain& terrain, bool unit_counts, const std::string& fi
     if (inside_utm_zone(terrain, kind) || !in_system) return;
     if (!has_gdal() && kind.mercator) {
         throw InputError(
-            fmt::format("{}: lies in Mercator's projection, which stretches lengths; to know by "
-                        "how much fumon {}",
+            fmt::format("{}: lies in Mercator's projection, which stretches lengths; to compute by "
+                        "how much, fumon {}",
                         file, missing_gdal()));
     }
     if (!has_gdal()) return;

@@ -61,7 +61,7 @@ UnitConversion conversion_of(const NetcdfInput& input, const BedVariable& bed,
         conversion->factor = -conversion->factor;
         conversion->offset = -conversion->offset;
         add_note(terrain, fmt::format("{} grows downward: its numbers are taken as depths "
-                                      "(bed.height_sign says otherwise)",
+                                      "(override with bed.height_sign)",
                                       bed.name));
     }
     return *conversion;
@@ -144,7 +144,7 @@ void refuse_rotated_pole(const NetcdfInput& input, const BedVariable& bed) {
         input.text(*holder, "grid_mapping_name").value_or("") != "rotated_latitude_longitude")
         return;
     input.refuse(fmt::format("{} lies on a grid with a rotated pole", bed.name),
-                 "bring it onto an even grid first (cdo remapbil, gdalwarp or xESMF)");
+                 "interpolate it to a regular grid first (cdo remapbil, gdalwarp or xESMF)");
 }
 
 /// The axes by the six numbers of GDAL's GeoTransform, of a grid without coordinates.
@@ -159,7 +159,7 @@ void place_by_transform(const NetcdfInput& input, const BedVariable& bed, Netcdf
     if (!text || transform[1] == 0.0 || transform[5] == 0.0) return;
     if (transform[2] != 0.0 || transform[4] != 0.0)
         input.refuse(fmt::format("{} has rotated or skewed cells", bed.name),
-                     "turn it to north first (gdalwarp)");
+                     "warp it to a north-up grid first (gdalwarp)");
     const auto set = [](NetcdfAxis& axis, double edge, double step) {
         const double far = edge + step * static_cast<double>(axis.count);
         axis.has_coordinates = true;
@@ -207,7 +207,7 @@ std::optional<GeoReference> place_of_grid(const NetcdfInput& input, const BedVar
     if (!x.has_coordinates || !y.has_coordinates) return std::nullopt;
     if (x.unit != y.unit)
         input.refuse(fmt::format("{} and {} have units of different kinds", x.name, y.name),
-                     "both are lengths, or both degrees");
+                     "both must be lengths, or both degrees");
     if (x.unit == AxisUnit::sites || x.spacing == 0.0 || y.spacing == 0.0) return std::nullopt;
     const GridExtent extent{x.lowest - 0.5 * x.spacing,
                             y.lowest - 0.5 * y.spacing,
@@ -250,7 +250,7 @@ Terrain read_netcdf_format(const std::filesystem::path& file, const TerrainQuery
     if (!is_netcdf(start_of_input_file(file, netcdf_signature_length))) {
         throw InputError(
             fmt::format("{}: is not a NetCDF file; such a file starts with \"CDF\" or "
-                        "\"HDF\", so it may be damaged or bear a wrong name",
+                        "\"HDF\", so it may be damaged or have a wrong name",
                         file.string()));
     }
     return read_netcdf_bed(file, query);

@@ -88,10 +88,10 @@ bool lies_somewhere(const std::optional<GeoReference>& place) {
 Terrain on_cells(const Terrain& map, const CellLattice& lattice) {
     if (!lies_somewhere(map.place) || !lies_somewhere(lattice.place)) {
         if (map.heights.nx() == lattice.nx && map.heights.ny() == lattice.ny) return map;
-        throw InputError(fmt::format(
-            "has {} x {} cells and the bed {} x {}; give it as many, or let both say where they "
-            "lie",
-            map.heights.nx(), map.heights.ny(), lattice.nx, lattice.ny));
+        throw InputError(
+            fmt::format("has {} x {} cells, but the bed has {} x {}; give it the same size, or "
+                        "give both files coordinates",
+                        map.heights.nx(), map.heights.ny(), lattice.nx, lattice.ny));
     }
     const GeoReference& from = *map.place;
     const GeoReference& to = *lattice.place;
@@ -99,9 +99,9 @@ Terrain on_cells(const Terrain& map, const CellLattice& lattice) {
     if (named && !to.crs.empty() && !to.degrees && from.crs != to.crs)
         return by_place(reprojected(map, to.crs), lattice);
     if (from.degrees != to.degrees && named) {
-        throw InputError(fmt::format(
-            "counts {} and the bed {}; bring one of them to the other's reference system",
-            from.degrees ? "degrees" : "metres", to.degrees ? "degrees" : "metres"));
+        throw InputError(
+            fmt::format("has coordinates in {}, but the bed has them in {}; reproject one of them",
+                        from.degrees ? "degrees" : "metres", to.degrees ? "degrees" : "metres"));
     }
     return by_place(map, lattice);
 }

@@ -24,7 +24,7 @@ void check_range(const std::string& name, const std::vector<double>& range) {
         "write bed.heights = [low, high] in the scene or --heights low:high, the metres of black "
         "and "
         "of white";
-    if (range.empty()) refuse(name, "a PNG image does not say how high its terrain is", how);
+    if (range.empty()) refuse(name, "a PNG image has no height scale", how);
     if (range.size() != 2 || !std::isfinite(range[0]) || !std::isfinite(range[1]) ||
         range[0] == range[1])
         refuse(name, "the height range of the PNG image is not two different finite numbers", how);

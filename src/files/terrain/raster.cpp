@@ -34,8 +34,8 @@ void refuse_network(const std::string& path) {
     for (const char* far : {"/vsi", "://"}) {
         if (text.find(far) == std::string::npos) continue;
         throw InputError(fmt::format(
-            "{}: names a file by \"{}…\"; a VRT that fumon reads names files by their paths", path,
-            far));
+            "{}: refers to a file by \"{}…\"; fumon reads a VRT only if it refers to files by path",
+            path, far));
     }
 }
 
@@ -117,8 +117,8 @@ class RasterReader {
         if (!std::filesystem::is_directory(path_)) {
             const auto text = other_text_grid(start_of_input_file(path_, looked_at));
             if (text && text->is_list)
-                refuse("is a list of points (XYZ) that fill no even grid",
-                       "write a point for each cell, or make a grid of scattered ones (gdal_grid)");
+                refuse("is a list of points (XYZ) that do not form a regular grid",
+                       "give one point for each cell, or interpolate scattered points (gdal_grid)");
         }
         std::string fault = session_.fault();
         for (const std::string& part : {path_ + ": ", path_}) {  // which the line begins with
@@ -128,7 +128,7 @@ class RasterReader {
         refuse(fmt::format("cannot be read as {}{}{}",
                            is_geotiff(path_, "") ? "a GeoTIFF" : "a raster",
                            fault.empty() ? "" : ": ", fault),
-               "it may be cut short, damaged, or bear a wrong name: copy it again");
+               "it may be cut short, damaged or wrongly named: copy it again");
     }
 
     void check(CPLErr status) const {
@@ -148,7 +148,7 @@ class RasterReader {
         const GDALColorInterp colour = gdal().GDALGetRasterColorInterpretation(band);
         if (query_.band == 0 && (colour == GCI_RedBand || colour == GCI_PaletteIndex))
             refuse("is a colour picture",
-                   "choose a file with heights, or say with bed.band which band holds them");
+                   "choose a file with heights, or name their band with bed.band");
         if (gdal().GDALDataTypeIsComplex(gdal().GDALGetRasterDataType(band)) != 0)
             refuse("holds complex numbers", "heights are real numbers");
         if (query_.band == 0 && bands > 1)
@@ -161,7 +161,7 @@ class RasterReader {
         const long long cells = static_cast<long long>(block.nx) * block.ny;
         if (cells > largest_grid_cells)
             refuse(fmt::format("{} × {} = {} cells", block.nx, block.ny, cells),
-                   fmt::format("at most {} are read; choose a part of it with bed.window",
+                   fmt::format("at most {} are read; choose a part of the file with bed.window",
                                largest_grid_cells));
     }
 

@@ -38,7 +38,7 @@ std::string wanted_system(const Terrain& terrain, const std::string& crs) {
     if (crs != "utm" && crs != "UTM") return crs;
     if (terrain.place->degrees) return utm_zone(*terrain.place, terrain.heights);
     throw InputError(
-        "\"utm\" finds the zone of a terrain in degrees, and this one is projected already; name a "
+        "\"utm\" needs a terrain in degrees, and this one is already projected; name a reference "
         "system, for example \"EPSG:32613\"");
 }
 
@@ -69,8 +69,8 @@ Terrain read_rows(GDALDatasetH dataset, double missing, const std::string& wkt) 
     const int ny = gdal().GDALGetRasterYSize(dataset);
     if (static_cast<long long>(nx) * ny > largest_grid_cells) {
         throw InputError(
-            fmt::format("{} x {} cells after it; at most {}, so choose a part of the "
-                        "file with bed.window",
+            fmt::format("{} x {} cells after reprojection; at most {} are possible, so choose a "
+                        "part of the file with bed.window",
                         nx, ny, largest_grid_cells));
     }
     std::array<double, 6> transform{};
@@ -115,21 +115,21 @@ std::string other_notes(const std::string& note) {
 Terrain reprojected(const Terrain& terrain, const std::string& crs) {
     if (!terrain.place || (terrain.place->crs.empty() && !terrain.place->degrees)) {
         throw InputError(
-            "the file does not say in which reference system it lies; write one into it "
-            "(gdal_edit.py -a_srs), or a .prj file beside an ESRI ASCII grid");
+            "the file has no coordinate reference system; write one into it (gdal_edit.py -a_srs), "
+            "or a .prj file beside an ESRI ASCII grid");
     }
     const GdalSession session;
     const std::string wanted = wanted_system(terrain, crs);
     const SpatialReference to(wanted);
     if (!to.understood()) {
         throw InputError(
-            fmt::format("\"{}\" is no reference system that PROJ knows; write \"utm\" or one like "
+            fmt::format("\"{}\" is not a reference system known to PROJ; write \"utm\" or one like "
                         "\"EPSG:32613\"",
                         crs));
     }
     if (!in_metres(to)) {
         throw InputError(fmt::format(
-            "\"{}\" does not count metres; choose a projected system that does, or \"utm\"", crs));
+            "\"{}\" is not in metres; choose a projected system in metres, or \"utm\"", crs));
     }
     const std::string to_wkt = to.wkt();
     const SpatialReference from(terrain.place->crs.empty() ? "EPSG:4326" : terrain.place->crs);

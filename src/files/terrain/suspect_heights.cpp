@@ -84,14 +84,13 @@ std::string suspect_heights(const Terrain& terrain, const std::string& file) {
     };
     if (beyond.cells > 0) {
         throw InputError(fmt::format(
-            "{}: {} of {} cells have heights beyond ±{:g} m, {}; where they stand for no data, "
-            "write {}, and where they are in another unit, bed.height_unit",
+            "{}: {} of {} cells have heights beyond ±{:g} m, {}; if they mean missing data, write "
+            "{}; if they are in another unit, write bed.height_unit",
             file, beyond.cells, heights.size(), largest_height, where(beyond), remedy(beyond)));
     }
     if (strange.cells == 0) return {};
     return fmt::format(
-        "{} of {} cells have heights that no ground has, {}: where they stand for no data, say so "
-        "by {}",
+        "{} of {} cells have implausible heights, {}: if they mean missing data, write {}",
         strange.cells, heights.size(), where(strange), remedy(strange));
 }
 

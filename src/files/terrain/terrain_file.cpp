@@ -61,8 +61,8 @@ void apply_to_heights(const TerrainFormat& format, const TerrainQuery& query, Te
 
 Terrain read_terrain(const std::filesystem::path& file, const TerrainQuery& query) {
     if (!query.any_unit && !conversion_for(query, "")) {
-        throw InputError(fmt::format("{}: heights are said to be in \"{}\"; {}", file.string(),
-                                     query.height_unit,
+        throw InputError(fmt::format("{}: the unit of heights is given as \"{}\"; {}",
+                                     file.string(), query.height_unit,
                                      wanted_units(query, "write bed.height_unit = \"ft\", say")));
     }
     const std::string start =

@@ -115,18 +115,18 @@ void FilmRuns::check() const {
         const StoredBeds& run = *beds;
         const Snapshot& other = run.first();
         if (other.bed.nx() != first.bed.nx() || other.bed.ny() != first.bed.ny()) {
-            throw InputError(fmt::format(
-                "{}: its bed has {} x {} cells, that of {} {} x {}; runs side by side have the "
-                "same grid",
-                run.name(), other.bed.nx(), other.bed.ny(), beds_.front()->name(), first.bed.nx(),
-                first.bed.ny()));
+            throw InputError(
+                fmt::format("{}: its bed has {} x {} cells, that of {} {} x {}; runs side by side "
+                            "need the same grid",
+                            run.name(), other.bed.nx(), other.bed.ny(), beds_.front()->name(),
+                            first.bed.nx(), first.bed.ny()));
         }
         if (other.scale.dx != first.scale.dx || other.scale.dy != first.scale.dy) {
-            throw InputError(fmt::format(
-                "{}: its cells are {} x {} large, those of {} {} x {}; runs side by side have the "
-                "same grid",
-                run.name(), other.scale.dx, other.scale.dy, beds_.front()->name(), first.scale.dx,
-                first.scale.dy));
+            throw InputError(
+                fmt::format("{}: its cells are {} x {} large, those of {} {} x {}; runs side by "
+                            "side need the same grid",
+                            run.name(), other.scale.dx, other.scale.dy, beds_.front()->name(),
+                            first.scale.dx, first.scale.dy));
         }
     }
 }
@@ -220,8 +220,8 @@ std::size_t FilmRuns::in_step(std::size_t run, std::size_t bed, FilmClock clock)
         if (found != stored.end() && found->step == wanted.step)
             return static_cast<std::size_t>(found - stored.begin());
         throw InputError(fmt::format(
-            "{}: stored no bed of step {}, which {} did; runs side by side store the same steps "
-            "(output.fields_every), or the film counts their time (shot.clock = \"time\")",
+            "{}: stored no bed of step {}, but {} did; store the same steps in all runs "
+            "(output.fields_every), or synchronise the runs by time (shot.clock = \"time\")",
             beds_[run]->name(), wanted.step, beds_.front()->name()));
     }
     const auto after = std::ranges::lower_bound(stored, wanted.time, {}, &StoredBed::time);
@@ -233,7 +233,7 @@ std::size_t FilmRuns::in_step(std::size_t run, std::size_t bed, FilmClock clock)
         --nearest;
     if (std::abs(nearest->time - wanted.time) > spacing) {
         throw InputError(
-            fmt::format("{}: stored no bed near the time {}, which {} did; let it run as long",
+            fmt::format("{}: stored no bed near the time {}, but {} did; run it for as long",
                         beds_[run]->name(), wanted.time, beds_.front()->name()));
     }
     return static_cast<std::size_t>(nearest - stored.begin());

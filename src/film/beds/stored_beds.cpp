@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_kept = 4;  // a cross-fade of two shots, and what comes next
+constexpr std::size_t most_cached_beds = 4;  // a cross-fade of two shots, and what comes next
 
 /// A JSON value as TOML: objects as inline tables.
 std::string toml_value(const Json& value) {
@@ -59,8 +59,8 @@ Json read_manifest(const fs::path& folder) {
     const fs::path file = folder / "run.json";
     std::error_code fault;
     if (!fs::is_directory(folder, fault))
-        throw InputError(fmt::format("{}: is no folder; a film is cut from the folder of a run",
-                                     folder.string()));
+        throw InputError(
+            fmt::format("{}: is not a folder; a film is cut from a run's folder", folder.string()));
     if (!fs::is_regular_file(file, fault))
         throw InputError(
             fmt::format("{}: holds no run (no run.json); `fumon run SCENE -o {}` "
@@ -70,13 +70,13 @@ Json read_manifest(const fs::path& folder) {
         Json manifest = parse_json(read_input_file(file));
         if (manifest.at("status") != "complete") {
             throw InputError(
-                fmt::format("{}: its run is not finished; `fumon run --resume {}` goes on with it",
+                fmt::format("{}: its run is not finished; `fumon run --resume {}` continues it",
                             folder.string(), folder.string()));
         }
         return manifest;
     } catch (const nlohmann::json::exception&) {
         throw InputError(
-            fmt::format("{}: is no manifest of a run, or is damaged; run the scene "
+            fmt::format("{}: is not the manifest of a run, or is damaged; run the scene "
                         "again",
                         file.string()));
     }
@@ -95,8 +95,7 @@ void check_settings(const Scene& stored, const Scene& changed) {
         scene_difference(scene_json(stored, recorded_roles), scene_json(changed, recorded_roles));
     if (differs.empty()) return;
     throw InputError(fmt::format(
-        "--set: {}, which the stored beds were made with; only what decides how the run looks and "
-        "which files it writes can be changed",
+        "--set: {}; with stored beds only keys of the look and of the output files can change",
         differs));
 }
 
@@ -157,7 +156,7 @@ std::shared_ptr<const Snapshot> kept_or(std::vector<Kept>& all, std::size_t numb
         found != all.end() ? *found : Kept{number, std::make_shared<const Snapshot>(read())};
     if (found != all.end()) all.erase(found);
     all.push_back(kept);
-    if (all.size() > most_kept) all.erase(all.begin());
+    if (all.size() > most_cached_beds) all.erase(all.begin());
     return kept.snapshot;
 }
 
@@ -199,9 +198,8 @@ StoredBeds StoredBeds::of_sweep(const fs::path& folder, std::int64_t number, int
     stored.manifest_ = folder / "sweep.json";
     std::error_code fault;
     if (!fs::exists(stored.folder_ / fmt::format("{:04}.json", number), fault)) {
-        throw InputError(
-            fmt::format("{}: is not finished; `fumon sweep` with the same values goes on with it",
-                        stored.name_));
+        throw InputError(fmt::format(
+            "{}: is not finished; `fumon sweep` with the same values continues it", stored.name_));
     }
     const fs::path fields = stored.folder_ / stored.fields_;
     if (!fs::exists(fields, fault)) {
@@ -263,8 +261,8 @@ Snapshot StoredBeds::read(std::size_t number, const Snapshot& outline) const {
     Snapshot snapshot = outline;
     InitialBed read = make_initial_bed(scene_of_bed(run_.scene, folder_ / bed.file));
     if (read.bed.nx() != first_.bed.nx() || read.bed.ny() != first_.bed.ny()) {
-        throw InputError(
-            fmt::format("{}: has another size than the run's beds", (folder_ / bed.file).string()));
+        throw InputError(fmt::format("{}: has a different size than the run's beds",
+                                     (folder_ / bed.file).string()));
     }
     snapshot.bed = std::move(read.bed);
     if (!snapshot.nodata.empty() && !read.nodata.empty()) snapshot.nodata = std::move(read.nodata);
@@ -300,7 +298,7 @@ std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string
     std::error_code fault;
     if (!fs::is_regular_file(file, fault))
         throw InputError(
-            fmt::format("{}: is not there, and a plot shows it; run the scene with "
+            fmt::format("{}: does not exist, but a plot needs it; run the scene with "
                         "output.measurements = true",
                         file.string()));
     const Table table = parse_csv_table({file.string(), read_input_file(file)});

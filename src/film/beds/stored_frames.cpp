@@ -123,8 +123,8 @@ void StoredFrames::check(const std::vector<std::int64_t>& numbers) const {
         const auto k = static_cast<std::size_t>(number);
         if (places_.at(k) >= 0) continue;
         throw InputError(
-            fmt::format("frame {} shows step {}, whose bed the run has not stored; run the scene "
-                        "again with --set output.fields_every=N, every N steps of which one is {}",
+            fmt::format("frame {} shows step {}, but the run stored no bed of that step; run the "
+                        "scene again with --set output.fields_every=N, where N divides {}",
                         number, steps_[k], steps_[k]));
     }
 }
@@ -210,10 +210,9 @@ void StoredFrames::write_movie(StatusLine& status) const {
         const Image image = read_png(file);
         const Sha256 pixels = pixel_hash(image);
         if (hex(pixels) != text_of(texts, pixels_text)) {
-            throw Error(
-                fmt::format("{}: its pixels are not those that were drawn; delete it and "
-                            "draw it again",
-                            file.string()));
+            throw Error(fmt::format(
+                "{}: its pixels have changed since it was drawn; delete it and draw it again",
+                file.string()));
         }
         const std::string drawn_by = text_of(texts, environment_keyword_of_frames);
         mixed = mixed || (number > 0 && drawn_by != environment);

@@ -75,7 +75,7 @@ BedClock::BedClock(const Film& film, std::size_t number, const StoredBeds& beds)
         if (end.value < values.front() - room || end.value > values.back() + room) {
             const std::string key = fmt::format("shot.{}.{}", number, name);
             throw InputError(fmt::format(
-                "{}{} = {}: beds are stored of {} {} to {}", film.at(key), key, end.value,
+                "{}{} = {}: the stored beds have {} {} to {}", film.at(key), key, end.value,
                 shot.clock == FilmClock::step ? "steps" : "times", values.front(), values.back()));
         }
         return end.value;

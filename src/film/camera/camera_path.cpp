@@ -13,10 +13,10 @@ namespace {
 
 constexpr int samples_per_path = 6000;  // about as many as a minute has frames, three times over
 constexpr int lift_margin_samples = samples_per_path / 12;  // before and after what lifts the way
-constexpr std::size_t numbers = 10;
+constexpr std::size_t numbers_per_pose = 10;
 
 /// All numbers of a pose, the focal length as its logarithm.
-using PoseNumbers = std::array<double, numbers>;
+using PoseNumbers = std::array<double, numbers_per_pose>;
 
 PoseNumbers numbers_of(const CameraPose& pose) {
     return {pose.eye.x,
@@ -37,7 +37,8 @@ CameraPose pose_of(const PoseNumbers& n) {
 
 PoseNumbers mixed(const PoseNumbers& a, const PoseNumbers& b, double share) {
     PoseNumbers mix{};
-    for (std::size_t i = 0; i < numbers; ++i) mix.at(i) = (1.0 - share) * a.at(i) + share * b.at(i);
+    for (std::size_t i = 0; i < numbers_per_pose; ++i)
+        mix.at(i) = (1.0 - share) * a.at(i) + share * b.at(i);
     return mix;
 }
 

@@ -139,8 +139,8 @@ FollowedDune followed_dune(const Film& film, std::size_t shot, const FilmStage& 
     const std::vector<Dune> dunes = dunes_of(*first);
     if (number > dunes.size()) {
         refuse(film, shot, "dune",
-               fmt::format("there is no dune number {} at step {}, where {} stand alone", number,
-                           first->step, dunes.size()));
+               fmt::format("there is no dune number {} at step {}, which has {} isolated dunes",
+                           number, first->step, dunes.size()));
     }
     const Dune& dune = dunes[number - 1];
     const bool goes_on = stage.repeats;
@@ -165,10 +165,10 @@ FollowedDune followed_dune(const Film& film, std::size_t shot, const FilmStage& 
             shown = next > shown ? shown + 1 : shown - 1;
             const auto bed = beds.snapshot(shown);
             if (tracker.take(*bed, shown == next ? fading : 1.0)) continue;
-            refuse(film, shot, "dune",
-                   fmt::format("dune {} is lost at step {}; let the shot end before, or the run "
-                               "store more beds",
-                               number, bed->step));
+            refuse(
+                film, shot, "dune",
+                fmt::format("dune {} is lost at step {}; end the shot earlier, or store more beds",
+                            number, bed->step));
         }
         places.push_back(on_stage(tracker.place(), tracker.height()));
         const glm::dvec3& at = places.back();
@@ -176,8 +176,8 @@ FollowedDune followed_dune(const Film& film, std::size_t shot, const FilmStage& 
                             std::abs(at.y) <= 0.5 * stage.block.width_y;
         if (!inside && !goes_on) {
             refuse(film, shot, "dune",
-                   fmt::format("dune {} leaves the block at step {}; let the shot end before, or "
-                               "draw endless ground (look.ground of the run)",
+                   fmt::format("dune {} leaves the block at step {}; end the shot earlier, or draw "
+                               "endless ground (look.ground of the run)",
                                number, beds.beds()[shown].step));
         }
     }
@@ -214,11 +214,10 @@ std::vector<glm::dvec3> followed_stream(const Film& film, std::size_t shot, cons
         length += glm::length(points[i + 1] - points[i]);
     constexpr double shortest_stream = 0.1;
     if (length < shortest_stream) {
-        refuse(
-            film, shot, "move",
-            fmt::format("there is no stream at step {}: the one that drains most is {:.2g} of the "
-                        "bed's longer side",
-                        bed.step, length));
+        refuse(film, shot, "move",
+               fmt::format("there is no stream at step {}: the one with the largest catchment has "
+                           "only {:.2g} of the length of the bed's longer side",
+                           bed.step, length));
     }
     std::vector<glm::dvec3> smooth;
     constexpr int stream_position_count = 13;

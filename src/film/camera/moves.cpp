@@ -15,8 +15,8 @@ namespace fumon {
 
 namespace {
 
-constexpr double half_film = 12.0;  // mm
-constexpr double key_angle = 6.0;   // degrees between the poses of a move around something
+constexpr double half_film_millimetres = 12.0;  // mm
+constexpr double key_angle_degrees = 6.0;  // degrees between the poses of a move around something
 
 double chosen(const WordOrReal& value, double otherwise) {
     return value.is_word() ? otherwise : value.value;
@@ -61,7 +61,7 @@ class ShotPoses {
         const double half_angle = 0.5 * view.camera.field_of_view * degree;
         const double usual_lens =
             view.camera.focal_length.is_word()
-                ? half_film * elementary::cos(half_angle) / elementary::sin(half_angle)
+                ? half_film_millimetres * elementary::cos(half_angle) / elementary::sin(half_angle)
                 : view.camera.focal_length.value;
         usual_.focal_length = chosen(shot.focal_length, usual_lens);
         usual_.sun_azimuth = chosen(shot.sun_azimuth, view.sun.azimuth);
@@ -137,7 +137,7 @@ class ShotPoses {
     [[nodiscard]] double distance() const {
         const double turn = shot_.move == Move::orbit ? shot_.turn : 0.0;
         double most = 0.0;
-        const int looks = 1 + static_cast<int>(std::min(std::abs(turn), 360.0) / key_angle);
+        const int looks = 1 + static_cast<int>(std::min(std::abs(turn), 360.0) / key_angle_degrees);
         for (int i = 0; i < looks; ++i) {
             const double turned =
                 looks > 1 ? std::copysign(std::min(std::abs(turn), 360.0), turn) * i / (looks - 1)
@@ -155,7 +155,7 @@ class ShotPoses {
                                elementary::sin(azimuth * degree), 0.0);
         const glm::dvec3 up = glm::cross(back, right);
         const double room = 1.0 - 2.0 * stage_.scene.view.camera.margin;
-        const double narrow = room * half_film / usual_.focal_length;
+        const double narrow = room * half_film_millimetres / usual_.focal_length;
         const double half_x = narrow * std::max(1.0, stage_.aspect) * (1.0 + stage_.overrun);
         const double half_y = narrow * std::max(1.0, 1.0 / stage_.aspect);
         double least = 0.05;
@@ -186,7 +186,8 @@ class ShotPoses {
     }
 
     [[nodiscard]] std::vector<CameraPose> orbit() const {
-        const int count = std::max(2, static_cast<int>(std::abs(shot_.turn) / key_angle) + 1);
+        const int count =
+            std::max(2, static_cast<int>(std::abs(shot_.turn) / key_angle_degrees) + 1);
         const double away = distance();
         std::vector<CameraPose> poses;
         for (int i = 0; i <= count; ++i)

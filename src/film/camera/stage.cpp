@@ -32,8 +32,8 @@ FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& s
     View& view = stage.scene.view;
     if (view.look.mode == ViewMode::figure && beds.first().section) {
         throw InputError(
-            "the run's frames are flat figures of a section, which no camera passes; "
-            "give its scene look.mode = \"scenic\"");
+            "the run's frames are flat figures of a section, which have no camera; give its scene "
+            "look.mode = \"scenic\"");
     }
     view.image.width = size.width;
     view.image.height = size.height;

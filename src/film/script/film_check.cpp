@@ -36,19 +36,19 @@ void check_keys(const Film& film, std::size_t number, Faults& faults) {
     const std::string path = fmt::format("shot.{}", number);
     faults.attempt([&] {
         if (shot.move == Move::keys && shot.keys.size() < 2) {
-            throw InputError(fmt::format("{}{}.move = \"keys\" needs two [[shot.key]] at least",
+            throw InputError(fmt::format("{}{}.move = \"keys\" needs at least two [[shot.key]]",
                                          film.at(path + ".move"), path));
         }
         const bool takes_keys = shot.move == Move::keys || shot.move == Move::still ||
                                 shot.move == Move::morning_to_evening;
         if (!shot.keys.empty() && !takes_keys) {
             throw InputError(
-                fmt::format("{}{} has [[shot.key]] and a ready move; write move = \"keys\"",
+                fmt::format("{}{} has [[shot.key]] and a predefined move; write move = \"keys\"",
                             film.at(path + ".move"), path));
         }
         if (shot.move != Move::keys && shot.keys.size() > 1) {
             throw InputError(fmt::format(
-                "{}{} stands and has {} [[shot.key]]; write move = \"keys\", or leave one",
+                "{}{} has a still camera but {} [[shot.key]]; write move = \"keys\", or keep one",
                 film.at(path + ".move"), path, shot.keys.size()));
         }
     });
@@ -56,7 +56,7 @@ void check_keys(const Film& film, std::size_t number, Faults& faults) {
         const std::string key = fmt::format("{}.key.{}", path, k);
         faults.attempt([&] {
             if (shot.keys[k].at.empty())
-                throw InputError(fmt::format("{}{}.at is missing: where the camera stands",
+                throw InputError(fmt::format("{}{}.at is missing: the camera's position",
                                              film.at(key + "."), key));
             check_place(film, key + ".at", shot.keys[k].at);
         });
@@ -87,7 +87,7 @@ void check_film(const Film& film, Faults& faults) {
     faults.attempt([&] { check_settings(film); });
     faults.attempt([&] {
         if (film.shots.empty() && film.excerpts.empty())
-            throw InputError(film.source + ":1:1: a film needs a [[shot]] at least");
+            throw InputError(film.source + ":1:1: a film needs at least one [[shot]]");
         if (!film.shots.empty() && !film.excerpts.empty()) {
             throw InputError(film.at("excerpt.0.") +
                              "a film has [[shot]] or [[excerpt]], not both; cut the shots from a "
@@ -129,16 +129,16 @@ void check_excerpts(const Film& film, Faults& faults) {
             const double to = excerpt.to.is_word() ? length : excerpt.to.value;
             if (excerpt.from >= to || to > length + 1e-9) {
                 throw InputError(fmt::format(
-                    "{}{}: from {} to {} s is no piece of that film, whose shots last {} s",
+                    "{}{}: from {} to {} s is not within that film, whose shots last {} s",
                     film.at(path + (excerpt.to.is_word() ? ".from" : ".to")), path, excerpt.from,
                     to, length));
             }
             if (excerpt.transition == Transition::cut) return;
             if (2.0 * excerpt.transition_seconds > to - excerpt.from) {
-                throw InputError(
-                    fmt::format("{}{}.transition_seconds = {} is more than half of it ({} s)",
-                                film.at(path + ".transition_seconds"), path,
-                                excerpt.transition_seconds, to - excerpt.from));
+                throw InputError(fmt::format(
+                    "{}{}.transition_seconds = {} is more than half of the excerpt ({} s)",
+                    film.at(path + ".transition_seconds"), path, excerpt.transition_seconds,
+                    to - excerpt.from));
             }
         });
     }

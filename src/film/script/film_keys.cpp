@@ -16,7 +16,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double longest_shot = 3600.0;  // seconds
+constexpr double longest_shot_seconds = 3600.0;  // seconds
 
 void list_film(FilmSettings& film, KeyTable& table) {
     table.text("film.title", film.title,
@@ -123,10 +123,10 @@ void list_key(ShotKey& key, const std::string& path, KeyTable& table) {
 
 void list_shot(Shot& shot, const std::string& path, KeyTable& table) {
     table.real(path + ".seconds", shot.seconds,
-               {.unit = "s", .range = {0, longest_shot, true}, .help = "its length"});
+               {.unit = "s", .range = {0, longest_shot_seconds, true}, .help = "its length"});
     table.real(path + ".hold", shot.hold,
                {.unit = "s",
-                .range = {0, longest_shot},
+                .range = {0, longest_shot_seconds},
                 .help = "of its seconds the last ones, in which all stands still"});
     const std::vector<KeyWord> ends{{"start", "the first stored bed"},
                                     {"end", "the last stored bed"}};

@@ -62,7 +62,7 @@ void serialise_previous_bed(BedBefore& before, StateArchive& archive) {
     constexpr std::int64_t longest = std::int64_t{1} << 30;
     if (size[0] < 0 || size[1] < 0 || size[0] > longest || size[1] > longest ||
         !std::cmp_equal(size[0] * size[1], heights.size()))
-        archive.refuse("its bed_measured_before has another size");
+        archive.refuse("its bed_measured_before has a different size");
     for (const double height : heights) {
         if (!(std::abs(height) <= largest_field_value))
             archive.refuse(fmt::format("its bed_measured_before has a height of {:g}", height));

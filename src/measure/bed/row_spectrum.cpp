@@ -156,7 +156,7 @@ std::vector<double> autocorrelation_along_x(const Grid& bed, bool periodic) {
 
 std::vector<double> cross_correlation_along_x(const Grid& earlier, const Grid& later) {
     if (earlier.nx() != later.nx() || earlier.ny() != later.ny()) {
-        throw Error("two beds are compared whose sizes differ");
+        throw Error("the two compared beds differ in size");
     }
     if (earlier.empty()) return {};
     const auto nx = static_cast<std::size_t>(earlier.nx());

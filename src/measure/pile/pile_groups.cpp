@@ -39,11 +39,11 @@ void serialise_counted(Counted& counted, StateArchive& archive) {
     archive.list("last_avalanche", last);
     constexpr std::size_t numbers_of_avalanche = 5;
     if (counts.size() != sizes.size() || (!last.empty() && last.size() != numbers_of_avalanche))
-        archive.refuse("its avalanches do not fit each other");
+        archive.refuse("its lists of avalanches are inconsistent");
     counted = {};
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         if (sizes[i] < 1 || sizes[i] > largest_avalanche || counts[i] < 0)
-            archive.refuse("it holds an avalanche of no possible size");
+            archive.refuse("it has an avalanche of an impossible size");
         counted.sizes.add(sizes[i], counts[i]);
     }
     if (!last.empty()) counted.last = Avalanche{last[0], last[1], last[2], last[3], last[4]};

@@ -197,7 +197,7 @@ Raster make_raster(std::string_view name, const RasterSource& source) {
     } else {
         const std::vector<std::string> known = known_rasters(source);
         throw InputError(fmt::format("\"{}\" {}; there {} {}", name,
-                                     quantity != nullptr ? "is not in it" : "is no field",
+                                     quantity != nullptr ? "is not in it" : "is not a field",
                                      known.size() == 1 ? "is" : "are", fmt::join(known, ", ")));
     }
     for (std::size_t cell = 0; cell < raster.nodata.size(); ++cell) {

@@ -53,7 +53,7 @@ void check_winds(const DunesParameters& parameters) {
         if (!parameters.winds[n].threshold_ratio.is_word() &&
             parameters.speed_up != DuneSpeedUp::relief) {
             throw KeyError(fmt::format("wind.{}.threshold_ratio", n),
-                           "only the shear stress over relief knows a threshold; write "
+                           "a threshold needs the shear stress over relief; write "
                            "model.speed_up = \"relief\", or threshold_ratio = \"none\"");
         }
         if (parameters.winds[n].table.empty()) continue;
@@ -65,9 +65,10 @@ void check_winds(const DunesParameters& parameters) {
 void check_transport(const DunesParameters& parameters, const ModelSetup& setup) {
     if (parameters.transport == DuneTransport::slabs &&
         parameters.speed_up == DuneSpeedUp::relief) {
-        throw KeyError("model.speed_up",
-                       "slabs know no shear stress; write model.speed_up = \"height\" or \"none\", "
-                       "or model.transport = \"continuous\"");
+        throw KeyError(
+            "model.speed_up",
+            "slab transport has no shear stress; write model.speed_up = \"height\" or \"none\", "
+            "or model.transport = \"continuous\"");
     }
     if (parameters.wind_bend != DuneBend::none && (parameters.transport == DuneTransport::slabs ||
                                                    parameters.speed_up != DuneSpeedUp::relief)) {
@@ -78,13 +79,14 @@ void check_transport(const DunesParameters& parameters, const ModelSetup& setup)
     if (parameters.order == SlabOrder::sequential && parameters.influx > 0.0 &&
         parameters.transport == DuneTransport::slabs) {
         throw KeyError("model.influx",
-                       "no sand blows in where slabs hop in sequence; write model.order = "
+                       "slabs that hop in sequence take no influx; write model.order = "
                        "\"parallel\", or no model.influx");
     }
     if (parameters.transport == DuneTransport::slabs && parameters.rock_wear > 0.0) {
-        throw KeyError("model.rock_wear",
-                       "slabs wear no rock; write model.transport = \"continuous\", or no "
-                       "model.rock_wear");
+        throw KeyError(
+            "model.rock_wear",
+            "slab transport wears no rock; write model.transport = \"continuous\", or no "
+            "model.rock_wear");
     }
     if (parameters.rock_wear == 0.0 && !parameters.abrasion_height.is_word()) {
         throw KeyError("model.abrasion_height",
@@ -101,7 +103,7 @@ void check_transport(const DunesParameters& parameters, const ModelSetup& setup)
     }
     if (parameters.transport == DuneTransport::slabs && !parameters.wall_angle.is_word()) {
         throw KeyError("model.wall_angle",
-                       "slabs meet no walls; write model.transport = \"continuous\", or "
+                       "slab transport has no walls; write model.transport = \"continuous\", or "
                        "model.wall_angle = \"none\"");
     }
     const double box = std::min(setup.bed.nx() * setup.scale.dx, setup.bed.ny() * setup.scale.dy);
@@ -359,8 +361,8 @@ void Dunes::blow_continuously(const BlowingWind& wind) {
 std::string Dunes::plausibility_warning() const {
     if (at_rest_) return {};
     return fmt::format(
-        "avalanches had not come to rest after model.avalanche_passes = {} passes, so that slopes "
-        "exceed model.repose_angle; raise it, or shorten model.time_step",
+        "avalanches had not come to rest after model.avalanche_passes = {} passes, so slopes "
+        "exceed model.repose_angle; raise model.avalanche_passes, or shorten model.time_step",
         parameters_.avalanche_passes);
 }
 
@@ -381,7 +383,7 @@ void Dunes::serialise(StateArchive& archive) {
     if (parameters_.avalanche_age) {
         archive.values("slid_at", slid_at_.values());
         for (const std::int64_t step : slid_at_.values()) {
-            if (step < 0 || step > steps_) archive.refuse("it has avalanches of steps to come");
+            if (step < 0 || step > steps_) archive.refuse("it has avalanches of future steps");
         }
     }
     const std::int64_t highest = to_units(highest_bed);
@@ -390,8 +392,9 @@ void Dunes::serialise(StateArchive& archive) {
         const std::int64_t rock = bed_.rock.values()[cell];
         const std::int64_t moving = bed_.moving.values()[cell];
         if (surface > highest || rock < -highest || moving > highest)
-            archive.refuse("it has cells higher or lower than any");
-        if (surface < rock || moving < 0) archive.refuse("it has cells with less than no sand");
+            archive.refuse("it has cells of an impossible height");
+        if (surface < rock || moving < 0)
+            archive.refuse("it has cells with a negative amount of sand");
     }
 }
 

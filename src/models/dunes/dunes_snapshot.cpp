@@ -36,7 +36,7 @@ Grid flux_of_fields(const Snapshot& snapshot, double saturated) {
     const Grid* lifted = field_of(snapshot.fields, "local_wind");
     const Grid* sand = field_of(snapshot.fields, "sand");
     if (moving == nullptr || lifted == nullptr || sand == nullptr)
-        throw Error("a bed alone does not tell what sand the wind drives over dunes");
+        throw Error("the sand that wind drives over dunes does not follow from a bed alone");
     Grid flux = *moving;
     if (saturated > 0.0) {
         for (double& value : flux.values()) value /= saturated;

@@ -65,7 +65,7 @@ Plants::Plants(const DunesParameters& parameters, const DuneGround& ground, cons
     if (plant_angle_ < bare_angle_) {
         throw KeyError("model.plant_repose_angle",
                        fmt::format("model.plant_repose_angle is {}, below model.repose_angle = {}; "
-                                   "plants hold sand at least as steep as it lies without them",
+                                   "sand under plants rests at least as steeply as bare sand",
                                    plant_angle_, bare_angle_));
     }
     species_[0].law = law_of(parameters.grass, "model.grass_balances");
@@ -185,7 +185,7 @@ void Plants::serialise(StateArchive& archive) {
     for (const Species& species : species_) {
         for (const std::int64_t cover : species.cover.values()) {
             if (cover < 0 || cover > whole_cover)
-                archive.refuse("it has plants that cover less than nothing or more than all");
+                archive.refuse("it has a plant cover outside 0 to 1");
         }
     }
     find_cover();

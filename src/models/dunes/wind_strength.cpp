@@ -19,7 +19,7 @@ void check_given_once(const DuneWind& wind, std::size_t number) {
         throw KeyError(fmt::format("wind.{}.{}", number, key), fault);
     };
     if (wind.is_measured() && !wind.speed.is_word() && !wind.friction_velocity.is_word())
-        refuse("friction_velocity", "speed and friction_velocity say the same; keep one");
+        refuse("friction_velocity", "speed and friction_velocity give the same quantity; keep one");
     if (wind.is_measured() && wind.strength != DuneWind{}.strength) {
         refuse("strength",
                fmt::format("strength = {:g} beside a {}, from which the drift follows; "

@@ -111,7 +111,7 @@ void Pile::serialise(StateArchive& archive) {
         const std::int64_t direction = cells[cell] & direction_bits;
         if (cells[cell] < 0 || cells[cell] > highest || edge != (cells[cell] == outside) ||
             (!edge && direction >= outside) || changes[cell] < 0 || changes[cell] > UINT32_MAX)
-            archive.refuse("a cell of the pile holds no height and direction");
+            archive.refuse("a cell of the pile has an invalid height or direction");
         cells_[cell] = static_cast<std::int32_t>(cells[cell]);
         changes_[cell] = static_cast<std::uint32_t>(changes[cell]);
         if (changes_[cell] != 0) changed_.push_back(cell);

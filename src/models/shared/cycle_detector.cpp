@@ -27,8 +27,8 @@ void CycleDetector::compare(std::int64_t topplings, std::int64_t draws,
     for (const std::size_t cell : queue) digest = mix(digest, cell);
     if (digest == reference_digest_ && draws == reference_draws_) {
         throw Error(
-            "the pile never comes to rest: grains go round in a circle, since this rule moves them "
-            "uphill too; take model.direction = \"circular-mean\", model.topple_toward = "
+            "the pile never comes to rest: grains move in a cycle, since this rule also moves them "
+            "uphill; take model.direction = \"circular-mean\", model.topple_toward = "
             "\"toward-direction\", more grains per topple or a smoother bed");
     }
     if (++checks_ == next_reference_) {

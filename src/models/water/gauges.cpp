@@ -29,7 +29,7 @@ std::string name_of(const GaugeSettings& gauge, std::size_t number, std::set<std
                       });
     if (!fits) {
         throw KeyError(key_of(number, "name"),
-                       fmt::format("\"{}\" begins names of columns; it takes a letter, then "
+                       fmt::format("\"{}\" cannot begin the name of a column; write a letter, then "
                                    "letters, digits and underscores",
                                    name));
     }
@@ -46,9 +46,9 @@ std::array<double, 2> place_in_grid(const GaugeSettings& gauge, std::size_t numb
     if (place.size() != 2) throw KeyError(key_of(number, key), "write [x, y]");
     if (gauge.coordinates == GaugeCoordinates::grid) return {place[0], place[1]};
     if (!scale.place) {
-        throw KeyError(key_of(number, "coordinates"),
-                       "the bed lies nowhere on a map; take \"grid\", metres from its south-west "
-                       "corner");
+        throw KeyError(
+            key_of(number, "coordinates"),
+            "the bed has no map coordinates; take \"grid\", metres from its south-west corner");
     }
     const GeoReference& map = *scale.place;
     return {(place[0] - map.west) / map.dx * scale.dx, (place[1] - map.south) / map.dy * scale.dy};
@@ -92,8 +92,7 @@ Gauges::Gauges(const GullyParameters& parameters, const WaterDomain& domain,
         const bool at_side = settings.side != GaugeSide::none;
         if (at_side != settings.at.empty()) {
             throw KeyError(key_of(n, at_side ? "side" : "at"),
-                           "a gauge stands at a point or line, or at a side: give gauge.at or "
-                           "gauge.side");
+                           "a gauge needs a position: give either gauge.at or gauge.side");
         }
         const bool is_line = !settings.to.empty();
         const auto locate = [&](const char* key, const std::vector<double>& place) {
@@ -123,15 +122,15 @@ Gauges::Gauges(const GullyParameters& parameters, const WaterDomain& domain,
             const auto at = locate("at", settings.at);
             if (!watch_line(at, locate("to", settings.to)))
                 throw KeyError(key_of(n, "to"),
-                               "the line has no length, or no data along it: it takes at least a "
-                               "cell's");
+                               "the line has no length or crosses no data; it must cross at least "
+                               "one cell with data");
         } else {
             const auto at = locate("at", settings.at);
             gauge.is_point = true;
             gauge.x = std::min(static_cast<int>(at[0] / domain.dx), nx - 1);
             gauge.y = std::min(static_cast<int>(at[1] / domain.dy), ny - 1);
             if (!has_data(gauge.x, gauge.y))
-                throw KeyError(key_of(n, "at"), "there is no data there; choose another place");
+                throw KeyError(key_of(n, "at"), "there is no data at this point; choose another");
         }
     }
 }

@@ -37,7 +37,8 @@ namespace {
         if (!std::isfinite(v)) fail("the northward velocity", v, "m/s", x);
         if (!std::isfinite(bed(x, y))) fail("the bed height", bed(x, y), "m", x);
     }
-    throw Error(fmt::format("the water in row {} is not what it was, t = {:.6g} s", y, time));
+    throw Error(
+        fmt::format("the water in row {} changed between two checks, t = {:.6g} s", y, time));
 }
 
 /// Throws Error where a depth is negative or a depth, velocity or bed height is not a finite

@@ -30,8 +30,8 @@ Infiltration::Infiltration(const GullyParameters& parameters, Soil soil, double 
         law_ == InfiltrationLaw::horton && parameters.horton_by == HortonBy::intake;
     if (recovery_ > 0.0 && !by_intake) {
         throw KeyError("model.infiltration_recovery",
-                       "is of infiltration = \"horton\" with horton_by = \"intake\"; write these, "
-                       "or leave it out");
+                       "belongs to infiltration = \"horton\" with horton_by = \"intake\"; write "
+                       "these, or leave the key out");
     }
     if (!takes()) return;
     if (by_intake) fallen_ = Grid(nx, ny, 1.0);

@@ -91,8 +91,9 @@ void check_soil(const GullyParameters& parameters, std::size_t n) {
             break;
     }
     if (of == nullptr) return;
-    throw KeyError(map_key(n, "quantity"),
-                   fmt::format("is of another infiltration; write model.infiltration = {}", of));
+    throw KeyError(
+        map_key(n, "quantity"),
+        fmt::format("belongs to another kind of infiltration; write model.infiltration = {}", of));
 }
 
 void check_values(const GullyParameters& parameters, const WaterDomain& domain, std::size_t n,
@@ -106,8 +107,8 @@ void check_values(const GullyParameters& parameters, const WaterDomain& domain, 
         if (!map.has(cell)) {
             if (!everywhere) continue;
             throw KeyError(map_key(n, "file"),
-                           fmt::format("has no value for cell ({}, {}) of the bed; fill its holes, "
-                                       "or take one that covers the bed",
+                           fmt::format("has no value for cell ({}, {}) of the bed; fill its gaps, "
+                                       "or take a file that covers the bed",
                                        cell % nx, cell / nx));
         }
         const double value = map.values.values()[cell];
@@ -139,14 +140,14 @@ void check_maps(const GullyParameters& parameters, const WaterDomain& domain,
         const MapSettings& map = parameters.maps[n];
         if (map.quantity == MapQuantity::rain) {
             if (rain_before != nullptr && !(map.from > rain_before->from)) {
-                throw KeyError(map_key(n, "from"),
-                               fmt::format("this rain must begin after that of the map before it, "
-                                           "at {:g} s",
-                                           rain_before->from));
+                throw KeyError(
+                    map_key(n, "from"),
+                    fmt::format("this rain must begin after the rain of the map before, at {:g} s",
+                                rain_before->from));
             }
             rain_before = &map;
         } else if (map.from != 0.0) {
-            throw KeyError(map_key(n, "from"), "only rain begins; leave the key out");
+            throw KeyError(map_key(n, "from"), "only maps of rain have a start; leave the key out");
         }
         for (std::size_t other = 0; other < n; ++other) {
             const MapQuantity first = parameters.maps[other].quantity;
@@ -156,7 +157,7 @@ void check_maps(const GullyParameters& parameters, const WaterDomain& domain,
             if (both_deep || (first == map.quantity && map.quantity != MapQuantity::rain)) {
                 throw KeyError(
                     map_key(n, "quantity"),
-                    fmt::format("map.{} says that already; leave one of them out", other));
+                    fmt::format("map.{} already sets this quantity; leave one of them out", other));
             }
         }
         check_soil(parameters, n);
@@ -165,7 +166,7 @@ void check_maps(const GullyParameters& parameters, const WaterDomain& domain,
     if (rain_before == nullptr) return;
     if (parameters.rain > 0.0 || !parameters.rain_times.empty()) {
         throw KeyError(parameters.rain > 0.0 ? "model.rain" : "model.rain_times",
-                       "a [[map]] says the rain; leave one of them out");
+                       "a [[map]] already sets the rain; leave one of them out");
     }
 }
 

@@ -30,7 +30,7 @@ void check_edge(const EdgeSettings& edge, std::size_t number) {
     const bool flows = edge.kind == EdgeFlow::discharge || edge.kind == EdgeFlow::level;
     if (edge.times.size() != edge.values.size()) {
         throw KeyError(edge_key(number, "values"),
-                       fmt::format("there are {} times and {} values; give each time one",
+                       fmt::format("there are {} times and {} values; give one value for each time",
                                    edge.times.size(), edge.values.size()));
     }
     if (!rises(edge.times))
@@ -59,7 +59,7 @@ std::vector<EdgeSegment> edge_segments_of(const GullyParameters& parameters,
         const bool across_x = edge.side == GridSide::west || edge.side == GridSide::east;
         if ((across_x ? domain.edges_x : domain.edges_y) == EdgeKind::periodic) {
             throw KeyError(edge_key(n, "side"),
-                           fmt::format("the edges there are periodic and have no stretches; take "
+                           fmt::format("these edges are periodic and have no segments; take "
                                        "model.edges_{} = \"wall\" or \"open\"",
                                        across_x ? "x" : "y"));
         }
@@ -74,7 +74,7 @@ std::vector<EdgeSegment> edge_segments_of(const GullyParameters& parameters,
         if (segment.first > segment.last) {
             throw KeyError(
                 edge_key(n, edge.to > 0.0 ? "to" : "from"),
-                fmt::format("no middle of a cell lies between {:g} m and {:g} m of a "
+                fmt::format("no cell centre lies between {:g} m and {:g} m of a "
                             "side of {:g} m",
                             edge.from, edge.to > 0.0 ? edge.to : size * count, size * count));
         }
@@ -86,7 +86,7 @@ std::vector<EdgeSegment> edge_segments_of(const GullyParameters& parameters,
                 segment.last < other.first)
                 continue;
             throw KeyError(edge_key(n, "from"),
-                           fmt::format("this stretch overlaps that of edge.{}; part them", k));
+                           fmt::format("this segment overlaps that of edge.{}; separate them", k));
         }
         segments.push_back(std::move(segment));
     }
@@ -108,17 +108,20 @@ void fill_regions(const GullyParameters& parameters, const WaterDomain& domain, 
         if (!region.window.empty()) {
             if (region.window.size() != 4 || !(region.window[0] < region.window[2]) ||
                 !(region.window[1] < region.window[3])) {
-                throw KeyError(key("window"), "write [west, south, east, north], rising both ways");
+                throw KeyError(
+                    key("window"),
+                    "write [west, south, east, north] with west < east and south < north");
             }
             first_x = first_from(region.window[0], domain.dx, bed.nx());
             first_y = first_from(region.window[1], domain.dy, bed.ny());
             end_x = first_from(region.window[2], domain.dx, bed.nx());
             end_y = first_from(region.window[3], domain.dy, bed.ny());
             if (first_x >= end_x || first_y >= end_y) {
-                throw KeyError(key("window"),
-                               fmt::format("no middle of a cell lies in it; the grid is {:g} m by "
-                                           "{:g} m",
-                                           domain.dx * bed.nx(), domain.dy * bed.ny()));
+                throw KeyError(
+                    key("window"),
+                    fmt::format("no cell centre lies in this window; the grid is {:g} m by "
+                                "{:g} m",
+                                domain.dx * bed.nx(), domain.dy * bed.ny()));
             }
         }
         for (int y = first_y; y < end_y; ++y) {
@@ -138,13 +141,14 @@ void fill_regions(const GullyParameters& parameters, const WaterDomain& domain, 
 void check_rain(const GullyParameters& parameters) {
     if (parameters.rain_times.size() != parameters.rain_rates.size()) {
         throw KeyError("model.rain_rates",
-                       fmt::format("there are {} times and {} rates; give each time one",
+                       fmt::format("there are {} times and {} rates; give one rate for each time",
                                    parameters.rain_times.size(), parameters.rain_rates.size()));
     }
     if (!rises(parameters.rain_times))
         throw KeyError("model.rain_times", "times must rise from each to the next");
     if (!parameters.rain_times.empty() && parameters.rain > 0.0)
-        throw KeyError("model.rain", "model.rain_times says the rain; leave one of them out");
+        throw KeyError("model.rain",
+                       "model.rain_times already sets the rain; leave one of them out");
 }
 
 }  // namespace fumon

@@ -65,10 +65,10 @@ void refuse_other_files(const fs::path& folder) {
             return name == stored || name == temporary_name(stored);
         };
         if (std::ranges::any_of(stored_files, is_its)) continue;
-        throw InputError(fmt::format(
-            "{}: is no file of a stored run, and would be replaced with its folder; move it "
-            "elsewhere",
-            entry.path().string()));
+        throw InputError(
+            fmt::format("{}: is not a file of a stored run and would be replaced with its folder; "
+                        "move it elsewhere",
+                        entry.path().string()));
     }
 }
 
@@ -199,7 +199,7 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
     try {
         PreparedRun prepared = prepare_run(wanted.scene, threads);
         if (stored_run(prepared.scene, prepared.initial).id != run.id)
-            throw Error("a file that it reads has changed since the start");
+            throw Error("one of its input files has changed since the start");
         const Snapshot first = prepared.model->snapshot();
         Recorder recorder(
             prepared.scene, first,

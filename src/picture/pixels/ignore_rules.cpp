@@ -63,10 +63,10 @@ std::string read_overlay(const std::string& word, const std::string& place,
     if (std::find(known.begin(), known.end(), word) != known.end()) return word;
     if (word == "coordinates") {
         throw InputError(fmt::format(
-            "{}: {}: coordinates stand over the whole picture; name boxes or a mask", place, path));
+            "{}: {}: coordinates cover the whole picture; name boxes or a mask", place, path));
     }
-    throw InputError(fmt::format("{}: {}: no kind of overlay is called \"{}\"; {}", place, path,
-                                 word, suggestion(word, known)));
+    throw InputError(fmt::format("{}: {}: unknown kind of overlay \"{}\"; {}", place, path, word,
+                                 suggestion(word, known)));
 }
 
 void add_mask(IgnoredPixels& ignored, const std::filesystem::path& file) {
@@ -74,7 +74,7 @@ void add_mask(IgnoredPixels& ignored, const std::filesystem::path& file) {
     const Image mask = PngReader(bytes, file.string()).image();
     if (mask.width != ignored.width || mask.height != ignored.height) {
         throw InputError(fmt::format(
-            "{}: is a mask of {} x {} pixels for a picture of {} x {}; make it as large",
+            "{}: is a mask of {} x {} pixels for a picture of {} x {}; make it the same size",
             file.string(), mask.width, mask.height, ignored.width, ignored.height));
     }
     ignored.add(mask);
@@ -96,7 +96,7 @@ PixelBox read_box(const std::string& text) {
     const auto box = good ? box_of(numbers) : std::nullopt;
     if (box) return *box;
     throw InputError(
-        fmt::format("\"{}\" is no box; write X,Y,WIDTH,HEIGHT: {}", text, what_a_box_is));
+        fmt::format("\"{}\" is not a box; write X,Y,WIDTH,HEIGHT: {}", text, what_a_box_is));
 }
 
 void read_ignore(const toml::node& value, const std::string& path, const Locate& locate,
@@ -141,7 +141,7 @@ IgnoredPixels ignored_pixels(const IgnoreRules& rules, const Image& picture,
 void check_share(const IgnoredPixels& ignored) {
     if (ignored.share() <= largest_ignored_share) return;
     throw InputError(
-        fmt::format("{:.1f} % of the picture would be ignored, more than {:g} %; leave out less",
+        fmt::format("{:.1f} % of the picture would be ignored, more than {:g} %; ignore less",
                     100.0 * ignored.share(), 100.0 * largest_ignored_share));
 }
 

@@ -31,7 +31,7 @@ void read_ignore(const toml::node& value, const std::string& path, const Locate&
 
 /// The pixels that they ignore of a picture, with boxes in which its overlays stand; the mask lies
 /// in `folder`. Throws InputError "what is wrong; what would be right" for a box outside of the
-/// picture, a mask that cannot be read or has another size, and where more than
+/// picture, a mask that cannot be read or has a different size, and where more than
 /// `largest_ignored_share` of the picture would be left out.
 IgnoredPixels ignored_pixels(const IgnoreRules& rules, const Image& picture,
                              const std::filesystem::path& folder,

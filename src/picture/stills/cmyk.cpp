@@ -32,10 +32,10 @@ Profile open_profile(cmsContext context, const std::string& bytes) {
 
 Profile open_inks(cmsContext context, const std::string& bytes) {
     Profile inks = open_profile(context, bytes);
-    if (!inks) throw InputError("is no ICC profile; name a printer's, of the inks CMYK");
+    if (!inks) throw InputError("is not an ICC profile; name the profile of a CMYK printer");
     if (cmsGetColorSpace(inks.get()) != cmsSigCmykData ||
         cmsGetDeviceClass(inks.get()) != cmsSigOutputClass)
-        throw InputError("is an ICC profile, but not of a printer's inks (CMYK)");
+        throw InputError("is an ICC profile, but not that of a CMYK printer");
     return inks;
 }
 
@@ -53,7 +53,7 @@ std::vector<std::uint8_t> cmyk_of(const Image& image, const std::string& profile
     const Transform transform(
         cmsCreateTransformTHR(context.get(), light.get(), TYPE_RGB_8, inks.get(), TYPE_CMYK_8,
                               INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_BLACKPOINTCOMPENSATION));
-    if (!transform) throw InputError("is an ICC profile that tells no inks for colours");
+    if (!transform) throw InputError("is an ICC profile without a conversion from colours to inks");
     const auto width = static_cast<std::size_t>(image.width);
     std::vector<std::uint8_t> values(4 * width * static_cast<std::size_t>(image.height));
     for (int y = 0; y < image.height; ++y) {

@@ -139,7 +139,7 @@ std::vector<std::string_view> segments_of_file(std::string_view bytes, const std
         return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0U;
     };
     for (std::size_t at = 2; at + 4 <= bytes.size();) {
-        if (code_at(at) != 0xFF) refuse_damaged_jpeg(name, "its segments do not fit each other");
+        if (code_at(at) != 0xFF) refuse_damaged_jpeg(name, "its segments are inconsistent");
         const unsigned marker = code_at(at + 1);
         if (marker == 0xFF) {  // fills
             ++at;

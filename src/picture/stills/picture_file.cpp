@@ -49,7 +49,7 @@ std::vector<std::uint8_t> encode_picture(const Image& image, PictureFormat forma
     if (format == PictureFormat::tiff) return encode_tiff(image, dots_per_inch, texts);
     if (format == PictureFormat::webp)
         return encode_webp(image, coding.lossless, coding.quality, dots_per_inch, texts);
-    if (coding.lossless) throw InputError("JPEG cannot do without loss; write a WebP or PNG");
+    if (coding.lossless) throw InputError("JPEG is always lossy; write a WebP or PNG");
     return encode_jpeg(image, coding.quality, dots_per_inch, texts);
 }
 

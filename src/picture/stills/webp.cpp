@@ -63,10 +63,10 @@ std::vector<Chunk> chunks_of(std::string_view bytes, const std::string& name) {
         refuse_damaged_webp(name, "the file ends early");
     std::vector<Chunk> chunks;
     for (std::string_view left = bytes.substr(file_head, size - 4); !left.empty();) {
-        if (left.size() < chunk_head) refuse_damaged_webp(name, "its chunks do not fit each other");
+        if (left.size() < chunk_head) refuse_damaged_webp(name, "its chunks are inconsistent");
         const std::size_t length = little_endian(left.substr(4, 4));
         if (length > left.size() - chunk_head)
-            refuse_damaged_webp(name, "its chunks do not fit each other");
+            refuse_damaged_webp(name, "its chunks are inconsistent");
         chunks.push_back({left.substr(0, 4), left.substr(chunk_head, length)});
         left.remove_prefix(std::min(chunk_head + length + length % 2, left.size()));
     }
@@ -180,8 +180,7 @@ Image decode_webp(std::string_view bytes, const std::string& name) {
     if (WebPGetFeatures(data, bytes.size(), &features) != VP8_STATUS_OK)
         refuse_damaged_webp(name, "it has no picture");
     if (features.has_animation != 0)
-        throw InputError(
-            fmt::format("{}: is an animated WebP; take a picture that stands still", name));
+        throw InputError(fmt::format("{}: is an animated WebP; take a still picture", name));
     Image image(features.width, features.height);
     if (features.has_alpha == 0) {
         if (WebPDecodeRGBInto(data, bytes.size(), image.rgb.data(), image.rgb.size(),

@@ -25,7 +25,7 @@ std::array<std::uint8_t, 3> parse_colour(std::string_view line, const std::strin
         const auto [rest, error] = std::from_chars(place, end, value);
         if (error != std::errc{} || value < 0 || value > 255) {
             throw InputError(fmt::format(
-                "{}: '{}' is no colour; three whole numbers 0 … 255 are expected", where, line));
+                "{}: '{}' is not a colour; three whole numbers 0 … 255 are expected", where, line));
         }
         channel = static_cast<std::uint8_t>(value);
         place = rest;

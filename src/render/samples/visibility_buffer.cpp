@@ -31,7 +31,7 @@ void VisibilityBuffer::rasterise(const GroundTriangles& ground, const Camera& ca
     }
     void* memory =
         gl.MapBufferRange(GL_TEXTURE_BUFFER, 0, bytes, GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
-    if (memory == nullptr) throw Error("OpenGL has no memory for what a picture's samples see");
+    if (memory == nullptr) throw Error("OpenGL has no memory for the visibility buffer");
     const auto unmap = [&] { return gl.UnmapBuffer(GL_TEXTURE_BUFFER) == GL_TRUE; };
     try {
         auto* numbers = static_cast<std::uint32_t*>(memory);
@@ -41,7 +41,7 @@ void VisibilityBuffer::rasterise(const GroundTriangles& ground, const Camera& ca
         unmap();
         throw;
     }
-    if (!unmap()) throw Error("OpenGL has lost what a picture's samples see");
+    if (!unmap()) throw Error("OpenGL has lost the visibility buffer");
 }
 
 void VisibilityBuffer::bind(const gl::Program& program, int unit) const {

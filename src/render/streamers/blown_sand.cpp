@@ -132,7 +132,7 @@ void check_streamers(const View& view, const Snapshot& first) {
     if (view.streamers.strength == 0.0) return;
     const std::string key = "streamers.strength";
     const auto refuse = [&](const std::string& why) {
-        throw KeyError(key, "streamers are sand that a model's wind drives, " + why);
+        throw KeyError(key, "streamers show sand driven by a model's wind, " + why);
     };
     if (!first.saltation_flux)
         refuse("and this model has no such wind; take one of sand or dunes, or leave them out");

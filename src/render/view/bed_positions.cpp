@@ -10,16 +10,16 @@ void check_shows_scale(const View& view, const Block& block, const Snapshot& fir
                        const std::string& key, const std::string& what) {
     const auto refuse = [&](const std::string& why) { throw KeyError(key, what + " " + why); };
     if (!first.scale.in_metres)
-        refuse("shows a scale, and this bed has no metres; give grid.cell_size, or leave it out");
+        refuse(
+            "shows a scale, but this bed is not in metres; give grid.cell_size, or leave it out");
     if (view.look.mode != ViewMode::scenic) refuse("is for scenic views (look.mode)");
     if (view.camera.projection != Projection::perspective)
         refuse("is for the perspective camera (camera.projection)");
     if (first.bed.ny() < 2) refuse("is for beds of more than one row");
     if (block.exaggeration != 1.0) {
-        refuse(
-            fmt::format("shows how large things are, and heights are drawn {:g} times as high; "
-                        "look.exaggeration = 1 draws them as they are",
-                        block.exaggeration));
+        refuse(fmt::format(
+            "shows true sizes, but heights are exaggerated {:g} times; write look.exaggeration = 1",
+            block.exaggeration));
     }
 }
 
@@ -35,7 +35,7 @@ glm::dvec2 bed_position(const glm::dvec2& metres, const View& view, const Block&
     if (view.look.ground != Ground::endless &&
         (beside || (!first.nodata.empty() && lies_outside()))) {
         throw KeyError(
-            key, fmt::format("{} = [{:g}, {:g}] is beside the bed, which is {:g} x {:g} m", said,
+            key, fmt::format("{} = [{:g}, {:g}] is outside the bed, which is {:g} x {:g} m", said,
                              metres.x, metres.y, block.width_x * block.side,
                              block.width_y * block.side));
     }

@@ -34,9 +34,10 @@ double sobol(std::uint32_t index, int dimension) {
 
 void check_lens(const View& view, const Snapshot& first) {
     if (view.camera.f_number.is_word() || first.scale.in_metres) return;
-    throw KeyError("camera.f_number",
-                   "camera.f_number is of a lens in millimetres, and this bed has no metres; give "
-                   "grid.cell_size, or camera.aperture in sites");
+    throw KeyError(
+        "camera.f_number",
+        "camera.f_number is of a lens in millimetres, but this bed is not in metres; give "
+        "grid.cell_size, or camera.aperture in sites");
 }
 
 double lens_radius(const CameraSettings& settings, const Block& block, const Camera& camera) {

@@ -40,10 +40,9 @@ MapFrame map_frame(const View& view, const Snapshot& snapshot, const char* key) 
     if (view.camera.projection != Projection::map)
         throw KeyError(key, fmt::format("{} belongs to camera.projection = \"map\"", key));
     if (!snapshot.scale.in_metres || !snapshot.scale.place) {
-        throw KeyError(key,
-                       fmt::format("{} takes a terrain file that lies on a map; this bed has no "
-                                   "place there",
-                                   key));
+        throw KeyError(
+            key,
+            fmt::format("{} needs a terrain file with map coordinates; this bed has none", key));
     }
     const std::optional<Snapshot> coarser = shown_snapshot(snapshot, view);
     const Snapshot& shown = coarser ? *coarser : snapshot;

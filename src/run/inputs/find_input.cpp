@@ -46,15 +46,14 @@ fs::path find_input(const InputFile& input, const fs::path& place, std::string_v
     }
     for (const fs::path& candidate : candidates) {
         if (!is_that_file_alone(candidate, input.hash)) continue;
-        throw InputError(fmt::format(
-            "{}: {} is as it was when the {} was made, but files beside it count (a mask, a .prj "
-            "…), and they came later or were not recorded then; take them away",
-            place.string(), input.path, what));
+        throw InputError(
+            fmt::format("{}: {} has not changed since the {} was made, but files that belong to it "
+                        "(a mask, a .prj …) are new or were not recorded; move them away",
+                        place.string(), input.path, what));
     }
     throw InputError(
-        fmt::format("{}: {} as it was when the {} was made (SHA-256 {}…) is not there; bring it "
-                    "back or beside the {}, or run this in the folder from which the path leads to "
-                    "it",
+        fmt::format("{}: {} as it was when the {} was made (SHA-256 {}…) is missing; restore it, "
+                    "copy it beside the {}, or work in the folder to which the path is relative",
                     place.string(), input.path, what, input.hash.substr(0, 12), what));
 }
 

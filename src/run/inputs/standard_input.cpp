@@ -19,7 +19,8 @@ constexpr const char* name_of_input = "standard input";
 std::string all_bytes() {
     if (::isatty(STDIN_FILENO) != 0) {
         throw InputError(
-            "-: standard input is a terminal; let a file or a program give it (< my.toml)");
+            "-: standard input is a terminal; redirect a file or pipe a program into it (< "
+            "my.toml)");
     }
     std::string bytes;
     std::array<char, 1 << 16> piece{};
@@ -93,7 +94,7 @@ SceneText StandardInput::scene() const {
 const std::filesystem::path& StandardInput::terrain() const {
     if (is_scene()) {
         throw InputError(
-            "-: standard input begins like no file of terrain; it takes an ESRI ASCII grid, a "
+            "-: standard input is not terrain of a known format; it takes an ESRI ASCII grid, a "
             "NetCDF file, a GeoTIFF or a PNG");
     }
     return terrain_;

@@ -46,7 +46,7 @@ void check_expression(const PanelSettings& panel, const CurveSettings& curve,
         const bool from = !curve.x_from.is_word() || !curve.x_to.is_word();
         if (!curve.expression.empty())
             refuse("expression", "is given but not read; write table = \"expression\"");
-        if (!curve.constants.empty()) refuse("constants", "are of a formula, and there is none");
+        if (!curve.constants.empty()) refuse("constants", "belong to a formula, and there is none");
         if (from) refuse(curve.x_from.is_word() ? "x_to" : "x_from", "belongs to a formula");
         return;
     }
@@ -73,7 +73,7 @@ void check_expression(const PanelSettings& panel, const CurveSettings& curve,
     if (alone &&
         ((curve.x_from.is_word() && no_axis) || (curve.x_to.is_word() && panel.x_high.is_word())))
         refuse(curve.x_from.is_word() ? "x_from" : "x_to",
-               "there are no data whose ends it could take; give x_from and x_to");
+               "no data set its range; give x_from and x_to");
     check_formula(curve, refuse);
 }
 
@@ -83,7 +83,7 @@ void check_chart(const PanelSettings& panel, const ChartFault& refuse) {
     const ChartSettings& chart = panel.chart;
     if (std::ranges::adjacent_find(chart.levels, std::ranges::greater_equal()) !=
         chart.levels.end())
-        refuse("levels", "stand in rising order, each once");
+        refuse("levels", "must rise, and each occurs once");
     if (!chart.classes.empty() && chart.classes.size() != chart.levels.size() + 1) {
         refuse("classes",
                fmt::format("there are {} between {} levels; give {}", chart.classes.size(),
@@ -99,11 +99,11 @@ void check_chart(const PanelSettings& panel, const ChartFault& refuse) {
             !(chart.bin_low.value < chart.bin_high.value))
             refuse("bin_high", "must be above bin_low");
         if (panel.x_logarithmic && !chart.bin_low.is_word() && chart.bin_low.value <= 0.0)
-            refuse("bin_low", "a logarithmic axis lies above 0");
+            refuse("bin_low", "a logarithmic axis takes only values above 0");
     }
     if (panel.kind == PanelKind::difference && chart.minus_scene.empty() &&
         chart.minus_set.empty() && chart.minus_step < 0)
-        refuse("kind", "say what is taken away, by minus_scene, minus_set or minus_step");
+        refuse("kind", "name what is subtracted by minus_scene, minus_set or minus_step");
 }
 
 void check_chart_curve(const PanelSettings& panel, const CurveSettings& curve,
@@ -115,8 +115,8 @@ void check_chart_curve(const PanelSettings& panel, const CurveSettings& curve,
         refuse("z", "is missing; name the column of the colours");
     if ((!coloured || is_formula) && !curve.z.empty())
         refuse("z",
-               "is the column of colours in heat-map and scatter panels; a plot's curves have "
-               "the x and y alone");
+               "is the column of colours in heat-map and scatter panels; other curves have x and y "
+               "only");
     if (panel.kind != PanelKind::plot) {
         if (curve.fit != CurveFit::none) refuse("fit", "belongs to plot panels");
         if (curve.spread != CurveSpread::none) refuse("spread", "belongs to plot panels");

@@ -55,7 +55,7 @@ class Scanner {
 
 [[noreturn]] void refuse(std::string_view text) {
     throw InputError(
-        fmt::format("\"{}\" is no time with its offset from UTC; write one as "
+        fmt::format("\"{}\" is not a time with its offset from UTC; write one as "
                     "\"2026-03-20T06:40+00:00\" or \"2026-03-20T06:40Z\"",
                     text));
 }
@@ -112,7 +112,7 @@ double days_from_2000(std::string_view text) {
                                            std::chrono::day(static_cast<unsigned>(day))};
     if (!date.ok() || hour > 23 || minute > 59 || seconds >= 60.0) {
         throw InputError(
-            fmt::format("there is no \"{}\": months have 28 to 31 days, days 24 "
+            fmt::format("\"{}\" does not exist: months have 28 to 31 days, days 24 "
                         "hours from 00:00 on",
                         text));
     }

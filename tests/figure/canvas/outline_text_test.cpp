@@ -56,10 +56,10 @@ TEST(OutlineText, RefusesALineThatBelongsToNoFont) {
         return std::string("none");
     };
     EXPECT_EQ(message("# letters\nglyph 41 1401 M 3"),
-              "font.txt:2: '' does not belong into a font");
-    EXPECT_EQ(message("glyph 4x 1"), "font.txt:1: '4x' does not belong into a font");
+              "font.txt:2: '' is not valid in a font file");
+    EXPECT_EQ(message("glyph 4x 1"), "font.txt:1: '4x' is not valid in a font file");
     EXPECT_EQ(message("em 2048 ascent 1901 depth 4"),
-              "font.txt:1: 'em' does not belong into a font");
+              "font.txt:1: 'em' is not valid in a font file");
     EXPECT_EQ(message("glyph 41 1401"),
               "font.txt: a line 'em UNITS ascent UNITS descent UNITS' is missing");
 }

@@ -337,9 +337,10 @@ TEST(FrameOverlays, NameWhatDoesNotFit) {
     EXPECT_TRUE(refused(overlay("plot", "upper-left", "low = 3.0\nhigh = 2.0"))
                     .starts_with("overlay.0.high: "));
     EXPECT_TRUE(refused(overlay("time", "upper-left", "text = \"{tome}\""))
-                    .starts_with("overlay.0.text: {tome} stands for nothing"));
-    EXPECT_TRUE(refused(overlay("title", "upper-left") + overlay("plot", "upper-left"), "", 64, 48)
-                    .starts_with("overlay.0.kind: overlay.0 has no room in a picture of 64 x 48"));
+                    .starts_with("overlay.0.text: {tome} is not a placeholder"));
+    EXPECT_TRUE(
+        refused(overlay("title", "upper-left") + overlay("plot", "upper-left"), "", 64, 48)
+            .starts_with("overlay.0.kind: overlay.0 does not fit into a picture of 64 x 48"));
     EXPECT_TRUE(refused(overlay("title", "upper-left", "font_size = 200"))
                     .starts_with("overlay.0.font_size: overlay.0 has no room"));
     EXPECT_TRUE(

@@ -35,7 +35,7 @@ TEST(PlotScale, EndsAtRoundNumbersAroundTheValues) {
         const double size = std::pow(10.0, -9.0 + 18.0 * random_share(random));
         const double a = size * (2.0 * random_share(random) - 1.0);
         const double b = a + size * random_share(random);
-        const PlotScale scale = plot_scale({}, {a, b}, room_along_y);
+        const PlotScale scale = plot_scale({}, {a, b}, room_along_y_share);
         EXPECT_LE(scale.low, a);
         EXPECT_GE(scale.high, b);
         const bool from_zero = scale.low == 0.0 || scale.high == 0.0;
@@ -53,7 +53,7 @@ TEST(PlotScale, OfALogarithmicAxisHoldsItsValues) {
     for (int n = 0; n < 2000; ++n) {
         const double a = std::pow(10.0, -12.0 + 20.0 * random_share(random));
         const double b = a * std::pow(10.0, 6.0 * random_share(random));
-        const PlotScale scale = plot_scale({.logarithmic = true}, {a, b}, room_along_y);
+        const PlotScale scale = plot_scale({.logarithmic = true}, {a, b}, room_along_y_share);
         EXPECT_GT(scale.low, 0.0);
         EXPECT_LE(scale.low, a);
         EXPECT_GE(scale.high, b);
@@ -253,7 +253,7 @@ TEST(Plot, KeepsLabelsOfBoxesApart) {
     ASSERT_EQ(drawing.labels.size(), 5U);
     std::vector<CanvasBox> boxes;
     for (const PlotLabel& label : drawing.labels) {
-        const auto [width, height] = sheet().text_size(label.text, tick_text);
+        const auto [width, height] = sheet().text_size(label.text, tick_text_size_em);
         boxes.push_back({label.at.x, label.at.y, width, height});
         EXPECT_TRUE(within(boxes.back(), frame, 1e-9)) << label.text;
         for (std::size_t i = 0; i + 1 < boxes.size(); ++i)
@@ -301,7 +301,7 @@ TEST(Plot, RefusesWhatItCannotShow) {
     plot.y = {.label = "h (m)", .low = 2.0, .high = 2.0};
     EXPECT_EQ(refusal(plot), "the axis \"h (m)\" has the empty range 2 to 2");
     plot.y = {.label = "h (m)", .low = NAN};
-    EXPECT_EQ(refusal(plot), "the axis \"h (m)\" has a limit that is no number");
+    EXPECT_EQ(refusal(plot), "the axis \"h (m)\" has a limit that is not a number");
 }
 
 TEST(Plot, DrawsNothingOutsideItsMargins) {

@@ -66,7 +66,7 @@ TEST(Words, ThatFumonDoesNotWriteAreRefusedWithTheirPlace) {
     EXPECT_EQ(refusal_of("[words]\n\"wint\" = \"風\"\n"),
               "my.toml:2:10: fumon does not write \"wint\"; did you mean \"wind\"?");
     EXPECT_NE(refusal_of("[words]\n\"heights × {}\" = \"高さ倍\"\n")
-                  .find("must have the places of \"heights × {}\": {}"),
+                  .find("must have the placeholders of \"heights × {}\": {}"),
               std::string::npos);
     EXPECT_NE(refusal_of("[word]\n").find("has [words], [units] and [names]"), std::string::npos);
     EXPECT_NE(refusal_of("[words]\n\"wind\" = 3\n").find("my.toml:2:10: a word is a text"),

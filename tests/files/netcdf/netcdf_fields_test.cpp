@@ -183,9 +183,9 @@ TEST(NetcdfFields, RefusesRecordsOfAnotherForm) {
     const auto refusal = [&](const Snapshot& other) {
         return message_of<Error>([&] { file.add(other); });
     };
-    EXPECT_EQ(refusal(snapshot(4, 8, 5)),
-              "cannot write " + (folder / "fields.nc").string() +
-                  ": step 4 has 8 x 5 cells, the file 7 x 5; all records of a file are alike");
+    EXPECT_EQ(refusal(snapshot(4, 8, 5)), "cannot write " + (folder / "fields.nc").string() +
+                                              ": step 4 has 8 x 5 cells, the file 7 x 5; all "
+                                              "records of a file must have the same form");
     Snapshot other = snapshot(4);
     other.fields.pop_back();
     EXPECT_NE(refusal(other).find("step 4 has other fields or numbers"), std::string::npos);

@@ -111,11 +111,11 @@ TEST(NetcdfPieces, WhatCannotBeGoneOnWithIsRefusedAndStays) {
         EXPECT_EQ(file, folder / name);
         EXPECT_TRUE(what.starts_with(why)) << what;
         const std::string line = message_of<InputError>([&] { gone_on_with(folder, previous); });
-        EXPECT_NE(line.find(name + ": cannot go on with it: it " + why), std::string::npos) << line;
+        EXPECT_NE(line.find(name + ": cannot be continued: it " + why), std::string::npos) << line;
     };
-    expect_refusal(beginning_of(1), "on.nc.000001", "is not there");
+    expect_refusal(beginning_of(1), "on.nc.000001", "does not exist");
     leave_pieces(folder, false);
-    expect_refusal(beginning_of(5), "on.nc.000003", "is not there");
+    expect_refusal(beginning_of(5), "on.nc.000003", "does not exist");
     FieldsBeginning other = beginning_of(4);
     other.hash[0] ^= 1;
     expect_refusal(other, "on.nc.000002", "or one of the 1 pieces before it has changed");

@@ -102,7 +102,7 @@ TEST(NetcdfRecord, ATimeOverTwoDimensionsIsNoneOfAStep) {
     EXPECT_EQ(message_of<InputError>(
                   [&] { static_cast<void>(read_fields_snapshot(folder / "fields.nc", 0, {})); }),
               (folder / "fields.nc").string() +
-                  ": has no time of a step; it is of another run: delete it");
+                  ": has no time of a step; it belongs to another run: delete it");
 }
 
 TEST(NetcdfRecord, IsNothingInOtherFilesAndAnErrorInDamagedOnes) {
@@ -258,8 +258,8 @@ TEST(NetcdfRecord, AClassicFileWithoutAVariablesDimensionOrTypeIsRefused) {
     };
     EXPECT_EQ(refusal(1), "") << "a sound file, though none of ours";
     const std::string line = (folder / "forged.nc").string() +
-                             ": something in it is of no known type, or over a dimension that is "
-                             "not there or of no length; it is damaged: copy it again";
+                             ": it has an element of unknown type, or with a missing or empty "
+                             "dimension; it is damaged: copy it again";
     for (const int wrong : {0, 2, 7}) EXPECT_EQ(refusal(wrong), line) << wrong;
     for (const int wrong : {0, 12, 99}) EXPECT_EQ(refusal(1, wrong), line) << wrong;
 }

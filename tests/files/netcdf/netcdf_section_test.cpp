@@ -226,7 +226,7 @@ TEST(NetcdfSection, RefusesRecordsOfAnotherForm) {
     const std::string other_section =
         "cannot write " + (folder / "fields.nc").string() +
         ": step 4 has another section, in its spacing, fields, curves or number of paths; all "
-        "records of a file are alike";
+        "records of a file must have the same form";
     Snapshot without = air_snapshot(4);
     without.section.reset();
     EXPECT_EQ(refusal(without), other_section);
@@ -279,9 +279,9 @@ TEST(NetcdfSection, RefusesWhatNoFileCanHold) {
               "two fields are called \"lid_speed\"; each needs its own name");
     Snapshot rows = air_snapshot(0);
     rows.bed = Grid(5, 3);
-    const std::string too_small = "it has 2 x 2 nodes or more, and its bed one row";
+    const std::string too_small = "a section needs 2 x 2 nodes or more, and a bed of one row";
     EXPECT_NE(
-        refusal(rows).find("a section of 5 x 4 nodes stands on a bed of 5 x 3 cells; " + too_small),
+        refusal(rows).find("a section of 5 x 4 nodes lies over a bed of 5 x 3 cells; " + too_small),
         std::string::npos);
     EXPECT_NE(refusal(air_snapshot(0, section(0, 1, 4))).find(too_small), std::string::npos);
     EXPECT_NE(refusal(air_snapshot(0, section(0, 5, 1))).find(too_small), std::string::npos);

@@ -66,7 +66,7 @@ const std::vector<BrokenFile> broken_files{
     {"UnknownWord", sizes + "cellsise 2\n1 2\n3 4\n",
      ":3: unknown header word 'cellsise'; known are " + all_words},
     {"Twice", sizes + "NCOLS 2\n1 2\n3 4\n",
-     ":3: NCOLS stands here again (first on line 1); keep one of the two lines"},
+     ":3: NCOLS occurs again (first on line 1); keep one of the two lines"},
     {"BothOrigins", grid_head + "xllcenter 0\n1 2\n3 4\n",
      ":6: xllcorner and xllcenter exclude each other; keep one of the two lines"},
     {"BothCellSizes", grid_head + "dx 1\ndy 1\n1 2\n3 4\n",

@@ -138,8 +138,7 @@ TEST_F(Geotiff, OneOfSeveralBandsIsRead) {
     raster.type = GDT_Byte;
     raster.options = {"PHOTOMETRIC=RGB"};
     EXPECT_EQ(refusal(raster),
-              "is a colour picture; choose a file with heights, or say with bed.band which band "
-              "holds them");
+              "is a colour picture; choose a file with heights, or name their band with bed.band");
     EXPECT_EQ(read(raster, {.band = 1}).heights(0, 0), 4.0);
 }
 
@@ -190,7 +189,8 @@ TEST_F(Geotiff, WithoutAPlaceThereIsNoCellSize) {
 TEST_F(Geotiff, WhatIsNoEvenGridIsRefused) {
     Raster rotated;
     rotated.transform = {500000, 10, 1, 4000020, 1, -10};
-    EXPECT_EQ(refusal(rotated), "has rotated or skewed cells; turn it to north first (gdalwarp)");
+    EXPECT_EQ(refusal(rotated),
+              "has rotated or skewed cells; warp it to a north-up grid first (gdalwarp)");
     Raster tied;
     tied.transform.clear();
     tied.crs = "";
@@ -209,8 +209,9 @@ TEST_F(Geotiff, WhatIsNoEvenGridIsRefused) {
         }
         EXPECT_EQ(GDALSetGCPs(dataset, 4, points.data(), ""), CE_None);
     };
-    EXPECT_EQ(refusal(tied),
-              "is placed by ground control points; make an even grid of it first (gdalwarp)");
+    EXPECT_EQ(
+        refusal(tied),
+        "is georeferenced by ground control points; warp it to a regular grid first (gdalwarp)");
 }
 
 TEST_F(Geotiff, AHugeRasterIsReadThroughAWindow) {
@@ -228,8 +229,8 @@ TEST_F(Geotiff, AHugeRasterIsReadThroughAWindow) {
                   CE_None);
     };
     EXPECT_EQ(refusal(raster),
-              "20000 × 10000 = 200000000 cells; at most 134217728 are read; choose a part of it "
-              "with bed.window");
+              "20000 × 10000 = 200000000 cells; at most 134217728 are read; choose a part of the "
+              "file with bed.window");
     const Terrain part = read(raster, {.window = TerrainWindow{15000, 7998, 15002, 8000}});
     EXPECT_EQ(values_of(part.heights), (std::vector<double>{0, 0, 8, 9}));
     EXPECT_EQ(part.place->west, 15000.0);
@@ -258,8 +259,8 @@ TEST_F(Geotiff, DamagedFilesGiveOneLine) {
     std::ofstream(file, std::ios::binary | std::ios::trunc) << "not one at all";
     EXPECT_EQ(message_of<InputError>([&] { (void)read_terrain(file); }),
               file.string() +
-                  ": cannot be read as a GeoTIFF; it may be cut short, damaged, or bear a wrong "
-                  "name: copy it again");
+                  ": cannot be read as a GeoTIFF; it may be cut short, damaged or wrongly named: "
+                  "copy it again");
     EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "GDAL says nothing itself";
 }
 

@@ -95,8 +95,8 @@ TEST_F(NetcdfBed, DamagedBytesNeverCrash) {
 TEST_F(NetcdfBed, WhatIsNoNetcdfFileIsRefused) {
     folder.file("bed.nc", "ncols 3\nnrows 2\n");
     EXPECT_EQ(refusal(),
-              "is not a NetCDF file; such a file starts with \"CDF\" or \"HDF\", so it "
-              "may be damaged or bear a wrong name");
+              "is not a NetCDF file; such a file starts with \"CDF\" or \"HDF\", so it may be "
+              "damaged or have a wrong name");
     folder.file("bed.nc", "");
     EXPECT_NE(refusal().find("is not a NetCDF file; "), std::string::npos);
     std::filesystem::remove(path);

@@ -184,8 +184,8 @@ TEST_F(NetcdfBed, OtherLengthsBecomeMetres) {
 TEST_F(NetcdfBed, CoordinatesMustBeEven) {
     make_bed(path, {.x = {0, 10, 22.2}});
     EXPECT_EQ(refusal(),
-              "x is not evenly spaced: x[1] is 10 where even spacing has 11.1; put the heights "
-              "on an even grid first");
+              "x is not evenly spaced: x[1] is 10 where even spacing has 11.1; interpolate the "
+              "heights to even spacing first");
     make_bed(path, {.x = {0, 10, 20.000001}});
     EXPECT_EQ(read().dx, 10.0000005);
     make_bed(path, {.x = {0, 20, 10}});
@@ -193,7 +193,7 @@ TEST_F(NetcdfBed, CoordinatesMustBeEven) {
     make_bed(path, {.x = {10, 10, 10}});
     EXPECT_EQ(refusal(), "x begins and ends at 10; coordinates must rise or fall evenly");
     make_bed(path, {.x = {0, not_a_number, 20}});
-    EXPECT_EQ(refusal(), "x[1] is not a finite number; every coordinate must be one");
+    EXPECT_EQ(refusal(), "x[1] is not a finite number; all coordinates must be finite");
     make_bed(path, {.unit = "K"});
     EXPECT_EQ(refusal(),
               "the unit of x is \"K\"; coordinates are in a unit of length (\"m\") or in degrees");
@@ -274,8 +274,9 @@ TEST_F(NetcdfBed, WhatIsNoBedIsRefused) {
         refusal(),
         "holds no bed; a bed is a numeric variable over y and x, or over these and one of time, "
         "band or the like");
-    EXPECT_NE(refusal("profile").find("profile is over time and x, which is no map; "),
-              std::string::npos);
+    EXPECT_NE(
+        refusal("profile").find("profile has the dimensions time and x, which do not form a map; "),
+        std::string::npos);
     EXPECT_NE(refusal("words").find("words does not hold numbers; "), std::string::npos);
 }
 

@@ -205,8 +205,8 @@ std::vector<Variant> variants() {
         {"uneven",
          usual(nothing, "m", one_to_six, NC_DOUBLE, {10, 20.6, 30}),
          {},
-         "x is not evenly spaced: x[1] is 20.6 where even spacing has 20; put the heights on an "
-         "even grid first"},
+         "x is not evenly spaced: x[1] is 20.6 where even spacing has 20; interpolate the heights "
+         "to even spacing first"},
         {"unit_of_axis_is_none", usual(nothing, "K"), {}, "the unit of x is \"K\""},
         {"feet",
          usual(text("units", "ft")),
@@ -305,12 +305,12 @@ std::vector<Variant> variants() {
          planes(0.1),
          {},
          "z lies on a rotated or curvilinear grid: glam and gphi differ along both of its sides; "
-         "bring it onto an even grid first"},
+         "interpolate it to a regular grid first"},
         {"curvilinear_by_name", planes(0.1, true), {}, "nav_lon and nav_lat differ"},
         {"rotated_pole",
          with_mapping(text("grid_mapping_name", "rotated_latitude_longitude")),
          {},
-         "z lies on a grid with a rotated pole; bring it onto an even grid first"},
+         "z lies on a grid with a rotated pole; interpolate it to a regular grid first"},
         {"crs_wkt", with_mapping(text("crs_wkt", "LOCAL_CS[\"here\"]"))},
         {"transform_of_gdal",
          with_mapping(text("GeoTransform", "5 10 0 12.5 0 -5 "), false),

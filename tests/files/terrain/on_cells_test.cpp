@@ -84,15 +84,15 @@ TEST(OnCells, WithoutAPlaceTheSizeDecides) {
     EXPECT_EQ(on_cells(map, {4, 3, GeoReference{5.0, 5.0, 1.0, 1.0, false, ""}}).heights(3, 2),
               7.0);
     EXPECT_EQ(refusal(map, {8, 6, std::nullopt}),
-              "has 4 x 3 cells and the bed 8 x 6; give it as many, or let both say where they lie");
+              "has 4 x 3 cells, but the bed has 8 x 6; give it the same size, or give both files "
+              "coordinates");
 }
 
 TEST(OnCells, DegreesAreNoMetres) {
     Terrain map = grid_at(10.0, 45.0, 0.1, 4, 3);
     map.place->degrees = true;
     EXPECT_EQ(refusal(map, {4, 3, GeoReference{5e5, 5e6, 30.0, 30.0, false, ""}}),
-              "counts degrees and the bed metres; bring one of them to the other's reference "
-              "system");
+              "has coordinates in degrees, but the bed has them in metres; reproject one of them");
     EXPECT_EQ(refusal(map, {4, 3, GeoReference{10.0, 45.0, 0.1, 0.1, true, ""}}), "");
 }
 

@@ -106,8 +106,7 @@ TEST(PngHeights, SaysWhereTheRangeIsWritten) {
     const TemporaryFolder folder;
     const auto file = folder.file("bed.png", png_file(1, 1, 16, PNG_COLOR_TYPE_GRAY, {1, 2}));
     EXPECT_EQ(message_of<InputError>([&] { read_terrain(file, {}); }),
-              (file.string() + ": a PNG image does not say how high its terrain is")
-                  .append(range_remedy));
+              (file.string() + ": a PNG image has no height scale").append(range_remedy));
     for (const std::vector<double>& range : {std::vector{1.0}, {2.0, 2.0}, {0.0, HUGE_VAL}})
         EXPECT_EQ(message_of<InputError>([&] { read_terrain(file, {range}); }),
                   (file.string() +

@@ -178,9 +178,10 @@ TEST_F(RasterMetadata, APlaceThatIsNoGridIsRefusedWithItsRemedy) {
               "SAMP_SCALE", "LAT_SCALE", "LONG_SCALE", "HEIGHT_SCALE"})
             GDALSetMetadataItem(dataset, name, "1", "RPC");
     };
-    EXPECT_EQ(refusal(raster),
-              "is placed by rational polynomials (RPC); make an even grid of it first (gdalwarp "
-              "-rpc)");
+    EXPECT_EQ(
+        refusal(raster),
+        "is georeferenced by rational polynomials (RPC); warp it to a regular grid first (gdalwarp "
+        "-rpc)");
 }
 
 /// The tiles of whole degrees, whose files have one size.

@@ -72,18 +72,17 @@ TEST(Reprojected, RefusesWhatIsNoPlaneInMetres) {
     const auto refusal = [](Terrain terrain, const std::string& crs) {
         return message_of<InputError>([&] { (void)reprojected(terrain, crs); });
     };
-    EXPECT_NE(refusal(plane_in_degrees(), "EPSG:4326").find("does not count metres"),
-              std::string::npos);
-    EXPECT_NE(refusal(plane_in_degrees(), "EPSG:2231").find("does not count metres"),
-              std::string::npos)
+    EXPECT_NE(refusal(plane_in_degrees(), "EPSG:4326").find("is not in metres"), std::string::npos);
+    EXPECT_NE(refusal(plane_in_degrees(), "EPSG:2231").find("is not in metres"), std::string::npos)
         << "feet";
-    EXPECT_NE(refusal(plane_in_degrees(), "nonsense").find("no reference system"),
+    EXPECT_NE(refusal(plane_in_degrees(), "nonsense").find("is not a reference system"),
               std::string::npos);
     Terrain nowhere = plane_in_degrees();
     nowhere.place->degrees = false;
-    EXPECT_NE(refusal(nowhere, "EPSG:32613").find("does not say"), std::string::npos);
+    EXPECT_NE(refusal(nowhere, "EPSG:32613").find("has no coordinate reference system"),
+              std::string::npos);
     nowhere.place->crs = "EPSG:32613";
-    EXPECT_NE(refusal(nowhere, "utm").find("is projected already"), std::string::npos);
+    EXPECT_NE(refusal(nowhere, "utm").find("is already projected"), std::string::npos);
 }
 
 }  // namespace

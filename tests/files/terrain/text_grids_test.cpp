@@ -53,9 +53,9 @@ TEST(TextGrids, GeoclawsHeadersHaveTheirNumbersFirst) {
     EXPECT_EQ(oblong.dy, 20.0);
     EXPECT_EQ(oblong.place->south, 200.0);
     const auto twice = folder.file("twice.asc", "3 ncols\n3 mx\n");
-    EXPECT_EQ(message_of<InputError>([&] { (void)read_terrain(twice); }),
-              twice.string() +
-                  ":2: ncols stands here again (first on line 1); keep one of the two lines");
+    EXPECT_EQ(
+        message_of<InputError>([&] { (void)read_terrain(twice); }),
+        twice.string() + ":2: ncols occurs again (first on line 1); keep one of the two lines");
 }
 
 TEST(TextGrids, OthersAreNamedWithTheirRemedy) {
@@ -72,7 +72,7 @@ TEST(TextGrids, OthersAreNamedWithTheirRemedy) {
           "\"X\"\t\"Y\"\t\"Z\"\r\n0\t0\t1\r\n1\t0\t2\r\n"}) {
         const auto file = folder.file("points.xyz", text);
         const std::string message = message_of<InputError>([&] { (void)read_terrain(file); });
-        EXPECT_NE(message.find(": is a list of points (XYZ) that fill no even grid; "),
+        EXPECT_NE(message.find(": is a list of points (XYZ) that do not form a regular grid; "),
                   std::string::npos)
             << message;
     }
@@ -94,10 +94,11 @@ TEST(HeightKeys, HoldForFormatsWithoutUnits) {
     EXPECT_EQ(depths.heights(0, 0), -50.0);
     EXPECT_EQ(depths.metres_per_number, -0.5);
     EXPECT_EQ(read_terrain(file, {.height_sign = HeightSign::up}).heights(0, 0), 100.0);
-    EXPECT_EQ(message_of<InputError>([&] { (void)read_terrain(file, {.height_unit = "K"}); }),
-              file.string() +
-                  ": heights are said to be in \"K\"; heights are in a unit of length (\"m\"); "
-                  "write bed.height_unit = \"ft\", say");
+    EXPECT_EQ(
+        message_of<InputError>([&] { (void)read_terrain(file, {.height_unit = "K"}); }),
+        file.string() +
+            ": the unit of heights is given as \"K\"; heights are in a unit of length (\"m\"); "
+            "write bed.height_unit = \"ft\", say");
 }
 
 Terrain of_heights(const std::vector<double>& heights, double metres_per_number = 1.0) {
@@ -135,8 +136,8 @@ TEST(DoubtfulHeights, CustomaryNumbersFarFromOthersAreTold) {
             EXPECT_EQ(note, "");
             continue;
         }
-        const std::string end = std::string("say so by bed.nodata_value = ") + row.number;
-        EXPECT_TRUE(note.starts_with("1 of 3 cells have heights that no ground has")) << note;
+        const std::string end = std::string("write bed.nodata_value = ") + row.number;
+        EXPECT_TRUE(note.starts_with("1 of 3 cells have implausible heights")) << note;
         EXPECT_TRUE(note.ends_with(end)) << note;
     }
 }
@@ -153,7 +154,7 @@ TEST(DoubtfulHeights, NoGroundIsAThousandKilometresHigh) {
         EXPECT_TRUE(
             message.starts_with("bed.asc: 1 of 3 cells have heights beyond ±1e+06 m, the first "))
             << message;
-        EXPECT_NE(message.find(std::string("write bed.nodata_value = ") + number + ","),
+        EXPECT_NE(message.find(std::string("write bed.nodata_value = ") + number + ";"),
                   std::string::npos)
             << message;
     }

@@ -130,7 +130,7 @@ TEST(RasterQuantity, FieldsHaveTheirOwnNames) {
 TEST(RasterQuantity, WhatIsNotThereIsRefusedWithTheList) {
     const Snapshot snapshot = valley();
     const std::string list = "there are height, slope, aspect, hillshade, drainage, wetness";
-    EXPECT_EQ(refusal("slop", {snapshot}), "\"slop\" is no field; " + list);
+    EXPECT_EQ(refusal("slop", {snapshot}), "\"slop\" is not a field; " + list);
     EXPECT_EQ(refusal("speed", {snapshot}), "\"speed\" is not in it; " + list);
     EXPECT_EQ(refusal("change", {snapshot}), "\"change\" is not in it; " + list);
     EXPECT_NE(refusal("mud", {wet()}).find("wetness, water_depth, velocity_x, velocity_y, silt"),

@@ -294,7 +294,7 @@ TEST(WornRock, SlabsRefuseIt) {
     const auto refusal = [&] {
         return message_of<KeyError>([&] { Dunes(dunes, thin_sand(20, 20, 1.0, pool)); });
     };
-    EXPECT_NE(refusal().find("slabs wear no rock"), std::string::npos);
+    EXPECT_NE(refusal().find("slab transport wears no rock"), std::string::npos);
     dunes.rock_wear = 0.0;
     dunes.abrasion_height = {"", 1.0};
     EXPECT_NE(refusal().find("no rock is worn"), std::string::npos);
@@ -305,7 +305,7 @@ TEST(WornRock, SlabsRefuseIt) {
     dunes.wall_drift = 0.5;
     EXPECT_NE(refusal().find("there are no walls"), std::string::npos);
     dunes.wall_angle = {"", 55.0};
-    EXPECT_NE(refusal().find("slabs meet no walls"), std::string::npos);
+    EXPECT_NE(refusal().find("slab transport has no walls"), std::string::npos);
 }
 
 }  // namespace

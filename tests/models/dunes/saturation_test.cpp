@@ -260,7 +260,7 @@ TEST(DuneSaturation, NearTheThresholdFlatBedsAreMoreStable) {
     dunes.winds = {wind};
     EXPECT_NE(message_of<KeyError>([&] {
                   Dunes(dunes, box_of(Grid(20, 20, 1.0), pool, 1.0));
-              }).find("only the shear stress over relief knows a threshold"),
+              }).find("a threshold needs the shear stress over relief"),
               std::string::npos);
 }
 

@@ -104,15 +104,14 @@ TEST(IgnoredPixels, RulesAreBoxesAndMasks) {
         return message_of<InputError>([&] { ignored_pixels(rules, picture, folder.path()); });
     };
     rules.mask = "small.png";
-    EXPECT_TRUE(
-        said().ends_with("small.png: is a mask of 40 x 19 pixels for a picture of 40 x 20; "
-                         "make it as large"))
+    EXPECT_TRUE(said().ends_with(
+        "small.png: is a mask of 40 x 19 pixels for a picture of 40 x 20; make it the same size"))
         << said();
     rules.mask = "";
     rules.boxes = {{0, 0, 40, 6}};
     EXPECT_EQ(ignored_pixels(rules, picture, folder.path()).count(), 240) << "30 % are taken";
     rules.boxes.push_back({0, 6, 1, 1});
-    EXPECT_EQ(said(), "30.1 % of the picture would be ignored, more than 30 %; leave out less");
+    EXPECT_EQ(said(), "30.1 % of the picture would be ignored, more than 30 %; ignore less");
     rules.boxes = {{40, 0, 1, 1}};
     EXPECT_EQ(said(),
               "ignore: the box [40, 0, 1, 1] lies outside of the picture of 40 x 20 pixels");

@@ -123,7 +123,7 @@ TEST(PictureFile, RefusesWhatTheFormatCannotHold) {
     EXPECT_EQ(message_of<InputError>([&] {
                   encode_picture(shaded(8, 8, false), PictureFormat::jpeg, {92, true}, 96, {});
               }),
-              "JPEG cannot do without loss; write a WebP or PNG");
+              "JPEG is always lossy; write a WebP or PNG");
     EXPECT_EQ(
         message_of<InputError>([&] { encode_webp(Image(16384, 1), false, 92, 96, {}); }),
         "a picture of 16384 × 1 pixels is too large for WebP, which holds 16383 on a side; write "

@@ -108,9 +108,9 @@ std::string printers_profile() {
 
 TEST(TiffFile, HasTheInksOfAPrintersProfile) {
     EXPECT_EQ(message_of<InputError>([] { check_cmyk_profile("no"); }),
-              "is no ICC profile; name a printer's, of the inks CMYK");
+              "is not an ICC profile; name the profile of a CMYK printer");
     EXPECT_EQ(message_of<InputError>([] { check_cmyk_profile(srgb_profile()); }),
-              "is an ICC profile, but not of a printer's inks (CMYK)");
+              "is an ICC profile, but not that of a CMYK printer");
     const std::string profile = printers_profile();
     if (profile.empty()) GTEST_SKIP() << "no profile of inks is here (it comes with libgs-common)";
     check_cmyk_profile(profile);

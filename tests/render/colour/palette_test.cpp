@@ -64,9 +64,9 @@ TEST(Palette, BlanksAroundLinesAndTheirEndsDoNotMatter) {
 
 TEST(Palette, MalformedFilesAreLocated) {
     EXPECT_EQ(failure("# x\n1 2\n"),
-              "p.txt:2: '1 2' is no colour; three whole numbers 0 … 255 are expected");
+              "p.txt:2: '1 2' is not a colour; three whole numbers 0 … 255 are expected");
     EXPECT_EQ(failure("1 2 300\n"),
-              "p.txt:1: '1 2 300' is no colour; three whole numbers 0 … 255 are expected");
+              "p.txt:1: '1 2 300' is not a colour; three whole numbers 0 … 255 are expected");
     EXPECT_EQ(failure("1 2 3 4\n"),
               "p.txt:1: '1 2 3 4' has more than the three numbers of a colour");
     EXPECT_EQ(failure("1 2 3\n"), "p.txt: 1 colours; a palette has 256");

@@ -183,8 +183,9 @@ TEST(Streamers, AreRefusedWithoutWind) {
     EXPECT_EQ(fault(asking()), "");
     bed.saltation_flux = {};
     EXPECT_EQ(fault(asking(0.0)), "");
-    EXPECT_NE(fault(asking()).find("streamers.strength: streamers are sand that a model's wind"),
-              std::string::npos);
+    EXPECT_NE(
+        fault(asking()).find("streamers.strength: streamers show sand driven by a model's wind"),
+        std::string::npos);
 }
 
 }  // namespace
