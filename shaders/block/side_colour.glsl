@@ -54,7 +54,7 @@ vec2 along_face() {
 }
 
 // The bed that is seen through the water of a cut, lit through what stands over it; light is gathered where waves focus it.
-// `slant`: of a length there to what the eye sees of it.
+// `slant`: ratio of a length there to its projection in the view.
 vec3 bed_below(vec2 at, vec3 down, float standing, float slant) {
     float lumps = shown(30.0 * slant) * value_noise(at * 30.0) + 0.7 * shown(90.0 * slant) * value_noise(at * 90.0 + 7.0);
     vec3 albedo = soaking * silt() * (1.0 + 0.16 * lumps);

@@ -54,7 +54,7 @@ float cumulus_above(float inside, float height) {
     return cumulus_thickness * max(top - up, 0.0);
 }
 
-// How much thinner or denser what stands above a place is than its outline tells, from above: bases are mottled.
+// Ratio of the cloud above a point to the thickness of its outline, from above: bases are mottled.
 float cumulus_thinner(vec3 at) {
     vec2 p = at.xy - cloud_shift + 0.4 * at.z;
     float mottles = 0.55 * cloud_noise(turned_b * p * (1.0 / 0.33) + 1.9) + 0.45 * cloud_noise(turned_a * p * (1.0 / 0.13) + 8.3) +

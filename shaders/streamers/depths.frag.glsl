@@ -1,7 +1,7 @@
 #version 330 core
 // Along the camera's axis, how far the ground is that the corners of each pixel see.
 uniform vec3 forward;
-uniform sampler2D offsets;  // of what samples see from the eye; nothing: 0
+uniform sampler2D offsets;  // of visible points from the eye; none: 0
 uniform vec2 first_sample;  // of the tile's lower left pixel
 uniform int factor;
 

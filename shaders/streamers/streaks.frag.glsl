@@ -1,5 +1,5 @@
 #version 330 core
-// Turbulence of the air, made once and repeated: two noises that know nothing of each other, 0 … 1.
+// Turbulence of the air, made once and repeated: two independent noises, 0 … 1.
 #include "common/noise.glsl"
 
 uniform float features;  // along a side

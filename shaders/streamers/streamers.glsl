@@ -1,4 +1,4 @@
-// Blown sand between the eye and what it sees; see streamers/puff.frag.glsl.
+// Blown sand between the eye and the visible surface; see streamers/puff.frag.glsl.
 uniform float streamers;         // 1: there is some
 uniform sampler2D streamer_map;  // sums of optical depths times radiances, and of optical depths
 

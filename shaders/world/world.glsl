@@ -36,7 +36,7 @@ vec3 change(vec3 before, vec3 at, vec3 after) {
     return none_before && none_after ? vec3(0.0) : none_before ? after - at : none_after ? at - before : nearer(at - before, after - at);
 }
 
-// The same of far ground, which is seen so aslant that its neighbours may be on other crests: from what the sample sees.
+// The same for far ground at grazing view, where neighbours may lie on other crests: from the sample's own visible point.
 SurfacePoint far_surface_point() {
     SurfacePoint position;
     float spread = sample_angle;

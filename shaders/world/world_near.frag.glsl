@@ -19,7 +19,7 @@ uniform float least_slip_slope;     // of ground that is true to nature: on none
 uniform float min_avalanche_slope;  // by its slope in the bed's maps: on none that is less steep
 uniform float ripple_phase;  // of the eye's place, in turns
 
-// Of pixels that PixelClasses tells apart.
+// For pixels classified by PixelClasses.
 uniform float plain_sand;  // 1: of plain ones alone
 uniform float slid_sand;   // 0: of those alone on which no sand slid
 

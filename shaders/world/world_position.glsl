@@ -1,8 +1,8 @@
 // Where samples, and pixels of them, see the ground.
 uniform vec2 first_sample;  // of the lower left pixel
 uniform int factor;         // samples along each side of a pixel
-uniform float visibility_in_buffer;  // 1: what samples see is in visibility_buffer, 0: in offsets
-uniform sampler2D offsets;  // of what samples see from the eye, and lengths, of world/world_visibility.frag.glsl; nothing seen: 0
+uniform float visibility_in_buffer;  // 1: visibility is in visibility_buffer, 0: in offsets
+uniform sampler2D offsets;  // of visible points from the eye, and lengths, by world/world_visibility.frag.glsl; none: 0
 uniform float packed_samples;  // 1: colours samples of listed pixels, which lie side by side
 uniform sampler2D listed;   // the first sample of each
 
@@ -42,7 +42,7 @@ uint visibility_word(ivec2 sample_coord, int first_quad) {
 float reversed_z_of(uint number) { return uintBitsToFloat(number & ~7u); }
 float reversed_z_at(ivec2 sample_coord) { return reversed_z_of(visibility_word(sample_coord, 0)); }
 
-// Of what a sample sees, from the eye.
+// Offset of a sample's visible point from the eye.
 vec3 offset_of(ivec2 sample_coord, float reversed_z) {
     vec2 in_picture = vec2(sample_coord) + target_begin;
     vec3 ray = first_ray + in_picture.x * ray_rightward + in_picture.y * ray_upward;

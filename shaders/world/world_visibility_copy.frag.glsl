@@ -3,7 +3,7 @@
 #include "world/world_position.glsl"
 
 uniform int ground;         // of world/world_position.glsl
-uniform vec2 depth_range;   // the depths that the target tells apart, along the camera's axis
+uniform vec2 depth_range;   // range of the target's depths, along the camera's axis
 
 out vec4 visibility;
 

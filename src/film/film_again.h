@@ -7,7 +7,7 @@
 
 namespace fumon {
 
-/// What `fumon again` was told.
+/// Options of `fumon again` for a film.
 struct FilmAgain {
     std::filesystem::path film;    ///< that is made again
     std::filesystem::path output;  ///< empty: NAME-again here
@@ -20,8 +20,8 @@ struct FilmAgain {
 bool is_made_film(const std::filesystem::path& file);
 
 /// Simulates the runs of a film again, cuts it from their beds and says whether its bytes are the
-/// same. Returns the exit status. Throws InputError where the film does not tell its runs, or asks
-/// for too much.
+/// same. Returns the exit status. Throws InputError where the film does not record its runs, or
+/// asks for too much.
 int make_film_again(const FilmAgain& wanted);
 
 }  // namespace fumon

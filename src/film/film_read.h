@@ -19,8 +19,8 @@ struct FilmText {
     std::string remake;  ///< the command that makes it, as its end card shows it
 };
 
-/// Of a film file, or what a file that `fumon film` made, or its sidecar, tells. Throws InputError
-/// where it is neither.
+/// The text of a film file, or the one recorded in a file that `fumon film` made or in its sidecar.
+/// Throws InputError for any other file.
 FilmText film_text(const std::filesystem::path& file);
 
 /// Reads a film; `source` names it in messages, `settings` are "key.path=VALUE" overrides of the

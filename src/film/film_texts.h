@@ -11,10 +11,10 @@
 
 namespace fumon {
 
-/// Keyword → text, of what a film's file or its sidecar tells.
+/// Keyword → text, the metadata of a film's file or its sidecar.
 using FilmTexts = std::map<std::string, std::string>;
 
-/// A run that a film was cut from, as the film tells it.
+/// A run that a film was cut from, as the film records it.
 struct FilmedRun {
     std::string name;   ///< what the film called it
     std::string scene;  ///< resolved, as TOML
@@ -22,14 +22,14 @@ struct FilmedRun {
     std::string version;  ///< of the fumon that cut the film
 };
 
-/// What a file that `fumon film` made beside a sidecar is told by: FILE.json.
+/// The sidecar of a file that `fumon film` made: FILE.json.
 std::filesystem::path sidecar_of(const std::filesystem::path& file);
 
 /// The texts of an MP4 or PNG, of the sidecar beside another file, or of a sidecar itself; none
 /// where there are none.
 FilmTexts read_film_texts(const std::filesystem::path& file);
 
-/// The text that tells a film's runs (fumon:runs), and back. Throws InputError where a film tells
+/// Writes the text of a film's runs (fumon:runs), and reads it. Throws InputError where a film has
 /// none: it is of an older version, or damaged.
 std::string filmed_runs_text(const FilmRuns& runs);
 std::vector<FilmedRun> filmed_runs(const FilmTexts& texts, const std::string& film);

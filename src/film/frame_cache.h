@@ -9,9 +9,9 @@
 
 namespace fumon {
 
-/// The frames of a film that is being made, kept as PNG files in the folder FILE.frames beside it,
-/// so that one that was stopped, however, goes on where it stopped. The folder tells of which film
-/// they are; those of another one are replaced.
+/// The frames of a film that is being made, as PNG files in the folder FILE.frames beside it, so
+/// that an interrupted film continues where it stopped. The folder records the identity of the
+/// film; frames of another film are replaced.
 class FrameCache {
   public:
     /// `identity`: a text of all that decides the frames. Throws InputError where the folder holds

@@ -19,13 +19,13 @@ enum class Target : unsigned {
     ground_mesh,  ///< triangles of the block, or of endless ground as the camera sees it
     instances,    ///< plants, persons, prints and puffs, and the air's sheet and paths
     // Of a tile.
-    visibility_buffer,  ///< what samples of endless ground see, in memory
-    visibility,         ///< what samples see, with depths and stencils: FrameTargets
-    coverage,           ///< what samples of a block alone see, in memory: BlockRasteriser
-    streamed_light,     ///< what blown sand does to each pixel's light: StreamerLayer
+    visibility_buffer,  ///< visibility of samples of endless ground, in memory
+    visibility,         ///< visibility of samples, with depths and stencils: FrameTargets
+    coverage,           ///< visibility of samples of a block, in memory: BlockRasteriser
+    streamed_light,     ///< transmittance and light of blown sand, per pixel: StreamerLayer
     water_colours,      ///< of the surface of a block with water, by pixels: WaterBlockPass
-    pixel_colours,      ///< of whole pixels of endless ground: FrameTargets
-    edge_colours,       ///< of the samples of its other pixels, side by side: PackedSamples
+    pixel_colours,      ///< of single-surface pixels of endless ground: FrameTargets
+    edge_colours,       ///< of the samples of multi-surface pixels, packed: PackedSamples
     sample_colours,     ///< FrameTargets
     background,         ///< FrameTargets, and read from it
     side_colours,  ///< of a block's sides by pixels, in the background's target once it is read

@@ -37,7 +37,7 @@ struct FrameSetting {
     [[nodiscard]] bool endless() const { return view.look.ground == Ground::endless; }
     [[nodiscard]] bool open() const { return view.look.background == Background::transparent; }
     [[nodiscard]] bool lens() const { return view.camera.has_lens(); }
-    /// Whether what samples see of endless ground is found by vector code, and not by OpenGL.
+    /// Whether vector code, not OpenGL, rasterises the visibility of endless ground.
     [[nodiscard]] bool rasterises_in_buffer() const;
     /// Whether its pixels that see one ground are shaded as wholes.
     [[nodiscard]] bool shades_single_surface_pixels() const {

@@ -25,13 +25,13 @@ struct FramePose {
     SunSettings sun;        ///< of which the azimuth and the elevation count
     double exposure = 0.0;  ///< stops, besides look.exposure
     double share = 0.0;     ///< of the run, for clouds that drift over it
-    /// From whose bed look.colour_by = "change" counts; none: the first one. Of its size.
+    /// Reference bed of look.colour_by = "change", of the same size; none: the first bed.
     std::shared_ptr<const Snapshot> reference{};
-    /// How often streamers have gone on by streamers.travel; none: as often as the snapshot's step
-    /// says.
+    /// Number of moves of the streamers by streamers.travel; none: the snapshot's
+    /// step.
     std::optional<std::int64_t> frame{};
-    /// By what this camera sees of the sky pictures are exposed, see exposure_under_sky(): one
-    /// exposure for a run, and for a film's shot. None: the picture's own.
+    /// Camera whose view of the sky sets the exposure, see exposure_under_sky(): one exposure for
+    /// a run, and for a film's shot. None: the picture's own.
     std::optional<Camera> metered{};
 };
 
@@ -68,7 +68,7 @@ class Renderer {
     /// The picture of one snapshot. Its bed has the size of the first one. Of a renderer of display
     /// values.
     Image render(const Snapshot& snapshot);
-    /// What the picture of a snapshot from another place and in another light needs besides OpenGL,
+    /// What the picture of a snapshot from another point and in another light needs besides OpenGL,
     /// found on any thread, also while this draws. The light of `before`, of an earlier picture or
     /// none, is taken where bed and sun are the same.
     [[nodiscard]] ReadyPicture ready(std::shared_ptr<const Snapshot> snapshot,

@@ -12,8 +12,8 @@
 
 namespace fumon {
 
-/// A tile while its passes run: what each line of frame_passes.cpp asks and does. What is drawn,
-/// and how, is said in the rooms of the passes' types; here they get their targets.
+/// A tile while its passes run: the condition and the work of each line of frame_passes.cpp. The
+/// passes' types, in their rooms, define the drawing; here they get their targets.
 class TileDrawing {
   public:
     /// Where the tile's pixels go: into a picture of 8 bits, into a deeper one, or to what a lens

@@ -92,8 +92,8 @@ WindTable read_wind_table(const TextSource& source) {
         throw InputError(
             fmt::format("{}: speed and speed_knots give the same quantity; keep one", source.name));
     if (of_friction && (in_knots || table.find("speed") != nullptr))
-        throw InputError(
-            fmt::format("{}: speed and friction_velocity give the same quantity; keep one", source.name));
+        throw InputError(fmt::format(
+            "{}: speed and friction_velocity give the same quantity; keep one", source.name));
     WindTable read;
     if (flux != nullptr) {
         const std::vector<double>& amounts = numbers_of(source, table, *flux, 0.0, largest_number);

@@ -13,7 +13,7 @@ namespace fumon {
 /// How overlays stand on frames.
 struct OverlayStyle {
     bool shadowed = false;      ///< pale letters with a soft shadow instead of dark ones on a plate
-    bool camera_moves = false;  ///< frames tell their camera (OverlayFrame::camera)
+    bool camera_moves = false;  ///< frames have a camera each (OverlayFrame::camera)
     double edge = 0.0;          ///< pixels kept free along the picture's edges, at least
     /// The time up to which frames go, where that is known.
     std::optional<double> end_time{};

@@ -23,7 +23,7 @@ enum class Marker {
 using LineDashes = std::vector<double>;
 
 /// How the n-th series of a plot looks, so that readers of any colour vision and of grey prints
-/// tell it from the others.
+/// distinguish it from the others.
 struct SeriesLook {
     Ink ink;
     Marker marker = Marker::circle;

@@ -7,12 +7,12 @@
 
 namespace fumon {
 
-/// What a picture of a run needs beside its beds and these alone do not tell ("their water"), or
-/// nothing. `first`: the run's snapshot before its first step.
+/// The data that a picture of a run needs and that its beds alone lack ("their water"), or an
+/// empty text. `first`: the run's snapshot before its first step.
 std::string_view missing_besides_beds(const Snapshot& first, const View& view);
 
-/// Leaves a snapshot, whose bed is another than that of its fields and numbers, what its bed tells:
-/// the sand that lies on rock, where rock does not wear. The rest goes.
+/// Keeps of a snapshot, whose bed is not that of its fields and numbers, only the fields that
+/// follow from the bed: the sand on rock, where rock does not wear.
 void keep_fields_of_bed(Snapshot& snapshot);
 
 }  // namespace fumon

@@ -12,7 +12,7 @@
 
 namespace fumon {
 
-/// A coloured place of the translucent air, in block lengths.
+/// A coloured point of the translucent air, in block lengths.
 struct AirVertex {
     glm::vec3 point;
     glm::vec4 paint;

@@ -6,7 +6,7 @@
 
 namespace fumon {
 
-/// The air of a section between its nodes: bilinear, periodic in x, constant above its top. Places
+/// The air of a section between its nodes: bilinear, periodic in x, constant above its top. Points
 /// are in metres. Refers to the snapshot, which must outlive it.
 class SectionAir {
   public:

@@ -14,7 +14,7 @@ struct StreamlineSettings {
     double separation = 16.0;  ///< of neighbouring lines, pixels
 };
 
-/// Places along a streamline in metres (x, z), downstream.
+/// Points along a streamline in metres (x, z), downstream.
 using Streamline = std::vector<glm::dvec2>;
 
 /// Evenly spaced streamlines of a section's "velocity_x" and "velocity_z" (Jobard & Lefer 1997,

@@ -24,7 +24,7 @@
 
 namespace fumon {
 
-/// The bed's colour as the eye sees it, as a texture over the bed: each place is shaded once, and
+/// The bed's colour as the eye sees it, as a texture over the bed: each point is shaded once, and
 /// the many samples of a picture only look it up.
 class BedShading {
   public:

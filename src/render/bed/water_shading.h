@@ -16,7 +16,7 @@ namespace fumon {
 
 /// Whether the ground of a block with water is shaded for each pixel that shows it, so that it is
 /// as sharp near the camera as far away and has no size of its own that a film could see change.
-/// Maps, whose places are all as large, and views through a lens, which look at shaded ground many
+/// Maps, whose points are all as large, and views through a lens, which look at shaded ground many
 /// times, have it as a texture over the bed instead.
 bool shades_water_by_pixel(const View& view, const Snapshot& first);
 
@@ -29,7 +29,7 @@ class WaterShading {
     WaterShading(const View& view, const Block& block, int nx, int ny, int refinement,
                  const gl::MipmapMaker* mipmaps);
 
-    /// Takes the water of a snapshot, and what it has done to the bed since `first`. `values`: see
+    /// Takes the water of a snapshot, and the change of the bed since `first`. `values`: see
     /// palette_coordinates().
     void upload(const Snapshot& snapshot, const Snapshot& first, const DisplayWater& water,
                 const Field<std::uint16_t>& values);

@@ -45,9 +45,9 @@ class TerrainLayer {
     /// Whether the bed ends around cells without data.
     [[nodiscard]] bool has_rim() const { return !rim_.empty(); }
 
-    /// Draws what each sample sees into the bound target of two numbers 0 … 1 and its cleared
-    /// stencils: of the surface the place east and north, of the sides the ground and the surface
-    /// over it, see block/side.vert.glsl. The stencil says which of them it is.
+    /// Rasterises visibility into the bound target of two numbers 0 … 1 and its cleared stencils:
+    /// on the surface the position east and north, on the sides the ground and the surface above,
+    /// see block/side.vert.glsl. The stencil distinguishes surface and sides.
     void rasterise(const Camera& camera, const TileSamples& tile);
 
     /// Colours, in the bound target, the samples whose stencils that has set: each sample once,

@@ -19,18 +19,18 @@ struct Heights {
 std::vector<std::uint64_t> pairs_of(const float* values, int count);
 
 /// The edges about the cells of a row: how much of one there is (0 … 1), and a vector along it,
-/// in whose lengths places are apart.
+/// in whose lengths points are apart.
 struct RowOfEdges {
     const float* share;
     const float* east;
     const float* north;
 };
 
-/// Places looked at to either side of a cell.
+/// Points looked at to either side of a cell.
 constexpr int positions_aside = 4;
 
 /// Mixes into the heights of row `y`, as far as there are edges, the means along the edges about
-/// its cells, of places `step` cells apart, the farther the less.
+/// its cells, of points `step` cells apart, the farther the less.
 void mix_means_along(const Heights& field, int y, const RowOfEdges& edges, float step,
                      float* heights);
 

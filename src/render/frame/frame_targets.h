@@ -9,7 +9,7 @@
 
 namespace fumon {
 
-/// Of what a sample sees: a position on the block, or an offset from the eye over endless ground.
+/// Layout of the visibility: a position on the block, or an offset from the eye on endless ground.
 /// `surface`: with its height, of block/visibility_surface.frag.glsl.
 gl::TextureLayout visibility_layout(Ground ground, bool surface = false);
 

@@ -25,7 +25,7 @@ float sample_share(const View& view);
 /// How colours of that kind are stored.
 gl::TextureLayout colour_layout(PixelFormat kind);
 
-/// Light::metered of pictures that are exposed by what a camera sees of a desert's sky.
+/// Light::metered, for pictures exposed by the part of a desert sky in a camera's view.
 double metered_exposure(const View& view, const Light& light, const Camera& camera);
 
 /// Sets the uniforms of shaders/common/light.glsl and shaders/common/colour.glsl and the eye of

@@ -60,7 +60,7 @@ struct GroundMesh {
     std::vector<glm::vec3> positions;      ///< offsets from the eye
     std::vector<std::uint32_t> triangles;  ///< their corners, near ones first
     std::size_t near_indices = 0;          ///< how many of these are of near ones
-    /// The direction, of length 1 on the level, in which the highest place of each ray is seen.
+    /// The direction, of length 1 on the level, in which the highest point of each ray is seen.
     std::vector<glm::vec3> skyline;
 };
 
@@ -71,7 +71,7 @@ struct VisibleGround {
     double near_limit = 0.0;    ///< a ripple is not seen beyond, block lengths
 };
 
-/// Where a ring crosses a ray the ground stands at the place between the neighbouring rings that
+/// Where a ring crosses a ray the ground stands at the point between the neighbouring rings that
 /// looks highest from the eye, so that crests are where they are however far apart the rings. What
 /// nearer ground hides, from all points of the lens, is left out. Independent of the pool's size.
 GroundMesh ground_mesh(const GroundFan& fan, const HeightPyramid& bed, WorkerPool& pool);

@@ -2,7 +2,7 @@
 
 #include "render/view/ground_tiles.h"
 
-/// The loop over the places along a ray that a mesh of the ground takes, see vectors/target.h: the
+/// The loop over the points along a ray that a mesh of the ground takes, see vectors/target.h: the
 /// same bits on every target.
 namespace fumon::ground_vectors {
 
@@ -21,7 +21,7 @@ struct Eye {
     double mean;       ///< of the bed's heights
 };
 
-/// Places over it: numbers of each.
+/// Points over it: numbers of each.
 struct RaySamples {
     const double* radii;  ///< from the eye
     const double* east;   ///< periods of the bed, or its tiles: 0 and 1 are its two ends
@@ -31,16 +31,16 @@ struct RaySamples {
     const double* raised;
 };
 
-/// Places are looked at so many at once at most: as many numbers are read, and heights and tangents
+/// Points are looked at so many at once at most: as many numbers are read, and heights and tangents
 /// written, as the next multiple of it has.
 constexpr int samples_per_batch = 16;
 
-/// How far the ground lies over the eye at `count` places, and the tangents of the elevations at
+/// How far the ground lies over the eye at `count` points, and the tangents of the elevations at
 /// which that is seen: as HeightPyramid::at() for each.
 void evaluate(const Heights& bed, const Eye& eye, const RaySamples& positions, int count,
               double* over, double* tangents);
 
-/// Places along a ray, from the middle of what TileWarp leaves as it is; periods.
+/// Points along a ray, from the middle of what TileWarp leaves as it is; periods.
 struct WarpedRay {
     double east;  ///< under the eye
     double north;

@@ -8,13 +8,13 @@
 
 namespace fumon {
 
-/// A place on the bed in shares of its extents, 0 … 1 east and north.
+/// A point on the bed in shares of its extents, 0 … 1 east and north.
 struct MeshPosition {
     float east;
     float north;
 };
 
-/// The places where a mesh of a display bed may have vertices: the centres of every stride-th cell,
+/// The points where a mesh of a display bed may have vertices: the centres of every stride-th cell,
 /// and the border. Only the vertices' heights change from frame to frame.
 struct TerrainLattice {
     int nx = 0;  ///< vertices eastward
@@ -45,11 +45,11 @@ struct ViewOrder {
     bool from_west = true;
 };
 
-/// How large lengths of a block are on the screen: pixels / (depth at the place), the depth being 1
+/// How large lengths of a block are on the screen: pixels / (depth at the point), the depth being 1
 /// at the block's middle and linear in the place.
 struct ScreenScale {
     float pixels = 1.0F;  ///< that one z spans at the block's middle
-    float depth = 1.0F;   ///< at place (0, 0)
+    float depth = 1.0F;   ///< at point (0, 0)
     float depth_east = 0.0F;
     float depth_north = 0.0F;
 };

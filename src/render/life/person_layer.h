@@ -18,7 +18,7 @@
 namespace fumon {
 
 /// Throws KeyError where persons cannot stand: the bed has no metres or is too small, the view does
-/// not show heights as they are or has no perspective, or a place is not on the bed.
+/// not show heights as they are or has no perspective, or a point is not on the bed.
 void check_persons(const View& view, const Snapshot& first);
 
 /// Where a person stands.

@@ -37,8 +37,8 @@ class TrackLayer {
     void set_bed(const Field<float>& z, const Block& ground, bool repeats,
                  const GroundTransform& on, const Field<float>* water);
 
-    /// Draws over the ground's colours in the bound target what the samples of `visibility` see of
-    /// prints: of endless ground, where `world` is given, or of a block.
+    /// Draws the visible prints over the ground's colours in the bound target, by the samples of
+    /// `visibility`: on endless ground, where `world` is given, or on a block.
     void draw(const gl::Texture2D& visibility, const WorldLayer* world,
               const GroundTransform& ground, const BedShading& shading, const Light& light,
               const Camera& camera, const TileSamples& tile) const;

@@ -7,7 +7,7 @@
 namespace fumon::light_vectors {
 
 /// Arrays of what the shadows of the sun's two limbs are over a row: the height each reaches, and
-/// how far apart both are of the place that casts it.
+/// how far apart both are of the point that casts it.
 struct Shadow {
     float* lower;
     float* lower_width;
@@ -30,13 +30,13 @@ struct ShadowStep {
 void sweep_shadow(const ShadowStep& step, const float* heights, const Shadow& before,
                   const Shadow& after, float* visibility);
 
-/// Adds to `sum` what both directions of a line of `count` heights z[−1] … z[count] see of the sky,
+/// Adds to `sum` the visible sky in both directions of a line of `count` heights z[−1] … z[count],
 /// see sky_visibility(): `back` and `ahead` are the horizons' tangents in cells of a length of
 /// `spacing`, `weight` is one direction's.
 void add_sky(const float* z, int count, const float* back, const float* ahead, float spacing,
              float weight, float* sum);
 
-/// Three rows of heights: `row` from one place before, the others from the first place on.
+/// Three rows of heights: `row` from one column before, the others from the first column on.
 struct ThreeRows {
     const float* south;
     const float* row;

@@ -14,7 +14,7 @@ struct SunDirection {
     friend bool operator==(const SunDirection&, const SunDirection&) = default;
 };
 
-/// Between which bounds shares are kept. Beyond 0 … 1 they say how far a place lies inside the
+/// Between which bounds shares are kept. Beyond 0 … 1 they say how far a point lies inside the
 /// umbra or outside the penumbra, in widths of the penumbra: interpolated, they find a shadow's
 /// edge inside a cell.
 struct ShareBounds {
@@ -29,8 +29,8 @@ enum class LatticeBorder { open, periodic };
 ///
 /// Along each ray the heights that the shadows of the disc's two limbs reach are carried from one
 /// lattice line to the next, S ← max(S, z) − step·tan(limb), each with the width of the penumbra of
-/// the place that casts it. Between S_upper and S_lower of one such place a cell sees the share
-/// (z − S_upper) / (S_lower − S_upper) of the disc; the least over the two limbs' places counts.
+/// the point that casts it. Between S_upper and S_lower of one such point a cell sees the share
+/// (z − S_upper) / (S_lower − S_upper) of the disc; the least over the two limbs' points counts.
 /// O(cells).
 ///
 /// `heights`, `dx` and `dy` are in one unit of length. Over a periodic lattice the sweep begins as

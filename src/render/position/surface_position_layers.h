@@ -16,7 +16,7 @@ namespace fumon {
 
 class WorkerPool;
 
-/// What is drawn, for the layers of a picture that tell where it lies.
+/// The drawn ground, as SurfacePositionLayers needs it.
 struct DrawnGround {
     const Snapshot& snapshot;
     const Block& block;
@@ -28,9 +28,9 @@ struct DrawnGround {
     bool plain = false;    ///< whether a plain lies around the block's foot
 };
 
-/// The layers of a picture that tell what is seen in the middle of each pixel, as it is drawn:
-/// heights are times the vertical exaggeration. Lengths are metres, or sites where the bed has
-/// none:
+/// Geometry layers of a picture: the surface point at the middle of each pixel, as drawn, with
+/// heights times the vertical exaggeration. Lengths are metres, or sites where the bed is not in
+/// metres:
 ///     Z               distance along the view axis; infinite where nothing is seen
 ///     normal.X Y Z    unit vector, of the bed that of its surface between the cells; 0 if nothing
 ///     position.X Y Z  east and north of the bed's south-western corner, and above height 0
@@ -55,7 +55,7 @@ class SurfacePositionLayers {
     };
     [[nodiscard]] SurfacePoint surface_point_at(int x, int y, const float* texel) const;
     [[nodiscard]] glm::dvec3 surface_normal(const glm::dvec2& share) const;
-    /// The same of a far copy at a place from the bed's middle.
+    /// The same of a far copy at a point from the bed's middle.
     [[nodiscard]] glm::dvec3 copy_normal(const glm::dvec2& position) const;
     [[nodiscard]] bool beside_bed(double east, double north) const;
     void put(std::size_t pixel, const SurfacePoint& seen);

@@ -12,8 +12,8 @@
 
 namespace fumon {
 
-/// Rasterises which point each pixel sees at its middle, into a target of its own, and gives it to
-/// the layers of a picture that tell where what is seen lies.
+/// Rasterises the surface point at the middle of each pixel, into a target of its own, and passes
+/// it to SurfacePositionLayers.
 class SurfacePositionPass {
   public:
     /// `largest`: of the tiles.

@@ -4,15 +4,15 @@
 //   vertices ─ project ─► 1/256 sample ─ bin ─► a band's triangles ─ rasterise ─► samples ─► pixels
 //                              └─ outside the guard band: clip, then bin
 //
-// 1. A band is 16 rows of pixels, 32 of samples. What its samples see stays in a cache and is never
-//    kept for the whole picture; each thread takes the next band and works in a Scratch of its own.
+// 1. A band is 16 rows of pixels, 32 of samples. Visibility stays in the cache, never kept for the
+//    whole picture; each thread takes the next band and works in a Scratch of its own.
 // 2. A sample is one word, see below. The larger word is the nearer one, so that neither the order
-//    of triangles nor tiles nor threads change what a sample sees.
-// 3. Only what is seen is shaded. A pixel whose four samples see the surface close together takes
+//    of triangles nor tiles nor threads change a sample's visibility.
+// 3. Only visible surfaces are shaded. A pixel whose four samples lie close together takes
 //    one texture lookup midway between them; other pixels of the surface are listed (EdgePixels)
 //    and take four.
 // 4. A surface under water is shaded by OpenGL, once a pixel, at the positions of a GBuffer. Where
-//    the samples of a pixel see two places far apart, as at a brink before far ground, it has two
+//    the samples of a pixel see two points far apart, as at a brink before far ground, it has two
 //    texels there, which are mixed by their shares of the samples.
 // 5. Sides and background are OpenGL's, drawn only in the rectangles where they are seen; finish()
 //    mixes them into the pixels that are left.
@@ -69,7 +69,7 @@ struct BlockTexture {
 
 /// Rasterises a block at 2 × 2 samples a pixel, and resolves its pixels.
 /// Pixels that see the surface alone get their colours here, from the shaded bed; those of a block
-/// with water are shaded by others, one by one, from the places that they show. Sides and
+/// with water are shaded by others, one by one, from the points that they show. Sides and
 /// surroundings are drawn by others, where there is something to be seen of them. What a sample
 /// sees does not depend on tiles, on the order of triangles, on threads and on the processor.
 class BlockRasteriser {
@@ -77,24 +77,24 @@ class BlockRasteriser {
     /// `grain`: of the strength that a whole one has, 0: none.
     explicit BlockRasteriser(float grain) : grain_(grain) {}
 
-    static constexpr int first_side = 2;  ///< kind of what samples see
+    static constexpr int first_side = 2;  ///< kind of a sample's surface
 
     /// Takes the grain's texels over the block, eastward and northward, and the shaded bed.
     void set_texture(glm::vec2 grain_texels, BlockTexture& read);
 
-    /// Finds what the pixels of a tile see and colours those that see the surface alone. All of the
+    /// Rasterises a tile and shades the pixels that show the surface alone. All of the
     /// block lies before the camera, as needs_no_clipping() says.
     void rasterise(const BlockMesh& shape, const Camera& camera, const Tile& tile, WorkerPool& pool,
                    Image& image);
 
-    /// How the places of a block's surface are found.
+    /// How positions on a block's surface are found.
     struct GBufferSetup {
         const Camera& camera;
         glm::ivec2 picture;  ///< pixels of the whole of it
         glm::dvec2 heights;  ///< of the surface: the lowest, and how much higher the highest
         g_buffer_vectors::SplitRules rules;
     };
-    /// As rasterise(), of a block whose surface is shaded by its pixels: finds which places these
+    /// As rasterise(), of a block whose surface is shaded by its pixels: finds which points these
     /// show. The block may reach behind a camera in perspective.
     void fill_g_buffer(const BlockMesh& shape, const Tile& tile, const GBufferSetup& setup,
                        WorkerPool& pool, GBuffer& out);
@@ -130,12 +130,12 @@ class BlockRasteriser {
         std::int32_t pixel;
         std::array<glm::vec4, 2> positions;
         std::array<float, 2> shares;  // of the samples
-        int first = 0;                // texel of its places; −1: none
+        int first = 0;                // texel of its points; −1: none
     };
     struct Row {
         std::vector<Span> spans;  // of pixels that are not finished
         std::vector<MixedPixel> mixed;
-        std::vector<Split> splits;  // pixels that see two places of a surface shaded by pixels
+        std::vector<Split> splits;  // pixels that see two points of a surface shaded by pixels
         glm::ivec2 covered{0};      // from which pixel to which it is seen
     };
     struct Side {
@@ -155,7 +155,7 @@ class BlockRasteriser {
     };
 
     static constexpr int factor = 2;      // samples along each side of a pixel
-    static constexpr int band_rows = 16;  // of pixels: what their samples see stays in a cache
+    static constexpr int band_rows = 16;  // of pixels: their samples stay in the cache
 
     static std::uint8_t root_of_mean(std::uint32_t sum, std::uint32_t count);
     static Split split_pixel(const g_buffer_vectors::MultiSurfacePixels& listed, std::size_t i,

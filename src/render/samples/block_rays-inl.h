@@ -1,4 +1,4 @@
-// Places that samples of a block see. Included once for each target, after highway.h.
+// Points that samples of a block see. Included once for each target, after highway.h.
 #if defined(FUMON_RENDER_SAMPLES_BLOCK_RAYS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FUMON_RENDER_SAMPLES_BLOCK_RAYS_INL_H
 #undef FUMON_RENDER_SAMPLES_BLOCK_RAYS_INL_H

@@ -10,7 +10,7 @@ namespace fumon::block_vectors {
 
 constexpr std::uint32_t surface_kind = 1;  ///< those above are the block's sides; 0: nothing
 
-/// A linear function of a place (0 … 1 east and north over the block) and a height.
+/// A linear function of a point (0 … 1 east and north over the block) and a height.
 struct AffineFunction {
     double east;
     double north;
@@ -27,13 +27,13 @@ struct VertexProjection {
     double least_depth;
 };
 
-/// Sets corners first … first + count − 1 from places (east and north by turns) and heights. Those
+/// Sets corners first … first + count − 1 from points (east and north by turns) and heights. Those
 /// nearer than least_depth, or farther aside than guard_band, get no place: reversed_z 0.
 void project_vertices(const VertexProjection& projection, const float* positions,
                       const float* heights, std::size_t count,
                       rasteriser_vectors::ProjectedVertices& vertices, std::size_t first);
 
-/// How places of a row of samples follow from their reversed z: origin + t · direction, both linear
+/// How points of a row of samples follow from their reversed z: origin + t · direction, both linear
 /// in the column's middle.
 struct Rays {
     float origin;

@@ -21,7 +21,7 @@ class WorkerPool;
 void resolve_float(const float* samples, int width, int factor, PixelFormat kind,
                    const float* behind, float* pixels);
 
-/// A picture of more than 8 bits, put together from tiles.
+/// A picture of more than 8 bits, assembled from tiles.
 class FloatPicture {
   public:
     /// `open`: with opacities.

@@ -10,8 +10,8 @@
 
 namespace fumon {
 
-/// Kinds of pixels that show the surface of a block with water, as parts of 255 of the depth by
-/// which they are told apart when they are drawn. Those that show more have the greater numbers.
+/// Kinds of pixels that show the surface of a block with water, as 255ths of the depth value that
+/// separates their draws. Those that show more have the greater numbers.
 enum ShadedKind : std::uint8_t {
     shows_nothing = 0,
     shows_dry_ground = 64,  ///< at most so little water that it closes nowhere
@@ -20,11 +20,11 @@ enum ShadedKind : std::uint8_t {
 };
 
 /// What the pixels of a tile show of the surface of a block, to be shaded one by one: rows upward
-/// from the tile's lower left, `stride` texels each. Pixels whose samples see two places apart have
-/// these above the highest pixel that shows something.
+/// from the tile's lower left, `stride` texels each. Pixels whose samples show two positions
+/// have these above the highest pixel that shows something.
 struct GBuffer {
     std::size_t stride = 0;
-    glm::ivec2 low{0};  ///< of the pixels that show something, and those of two places
+    glm::ivec2 low{0};  ///< of the pixels that show something, and those of two points
     glm::ivec2 size{0};
     std::vector<float> positions;        ///< see g_buffer_vectors::resolve_positions(): 4 a texel
     std::vector<std::uint8_t> kinds;     ///< a ShadedKind a texel
@@ -33,7 +33,7 @@ struct GBuffer {
     void allocate(int width, int rows);
 };
 
-/// Rows that a tile has for pixels of two places, beside those of its pixels.
+/// Rows that a tile has for pixels of two points, beside those of its pixels.
 int spare_rows(int tile_height);
 
 /// Of a bed under water that is looked at through its mipmaps, of which three count. Depths in

@@ -58,16 +58,16 @@ struct SampleRays {
 /// Of a camera in perspective without a lens, whose near_depth is where reversed_z is 1.
 SampleRays sample_rays(const Camera& camera, const glm::ivec2& picture);
 
-/// What samples see of endless ground. It does not depend on the rectangle, on threads and on the
-/// processor.
+/// Rasterises the visibility of endless ground. The result does not depend on the rectangle, the
+/// threads or the processor.
 class GroundRasteriser {
   public:
     static constexpr std::uint32_t near_kind = 1;
     static constexpr std::uint32_t far_kind = 2;
 
-    /// Records for each sample what it sees in two numbers: reversed z, a float, whose
+    /// Records the visibility of each sample as two numbers: reversed z, a float, whose
     /// lowest three bits (rasteriser_vectors::kind_bits) are the kind, 0: nothing; and, as a
-    /// float, over what length on the ground along the view. First all of the one kind, then all of
+    /// float, its length on the ground along the view. First all of the one kind, then all of
     /// the other, each at its SampleRectangle::index(). The camera's eye is the offsets'
     /// origin; ground nearer than its near_depth is left out.
     void rasterise(const GroundTriangles& ground, const Camera& camera,

@@ -24,11 +24,11 @@ struct AvalancheMap {
     int nx = 0;
     int ny = 0;
     bool plain = false;  ///< see GroundTiles
-    float east = 0.0F;   ///< the eye's place from the middle of the bed
+    float east = 0.0F;   ///< the eye's position from the middle of the bed
     float north = 0.0F;
 };
 
-/// What tells single-surface pixels apart. Lengths are the block's.
+/// Bounds that classify single-surface pixels. Lengths are the block's.
 struct ClassBounds {
     float near_limit;             ///< no ripple is seen beyond
     float steepest_smooth_slope;  ///< the steepest ground without tongues, as it is drawn
@@ -36,7 +36,7 @@ struct ClassBounds {
     float extent_x;               ///< of the bed
     float extent_y;
     bool varied;  ///< far copies are unlike it, see TileWarp
-    float east;   ///< the eye's place from the middle of what is as it is, periods
+    float east;   ///< the eye's position from the middle of the undistorted copy, periods
     float north;
     AvalancheMap slid{};
 };
@@ -61,7 +61,7 @@ struct CornerSamples {
     int factor;  ///< samples along each side of a pixel, 2 or more
 };
 
-/// How each of `count` pixels is coloured, as far as its corners tell.
+/// The class of each of `count` pixels for shading, from the samples in its corners.
 void classify_row(const CornerSamples& corners, const ClassBounds& bounds, std::size_t count,
                   std::uint32_t* kinds);
 

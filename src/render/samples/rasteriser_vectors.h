@@ -46,15 +46,15 @@ struct Band {
     int end_column;
     int first_row;
     int end_row;
-    /// Of what the samples see, as many: by how much reversed_z grows from a sample to the next
-    /// one, rightward in the upper half of the bits and upward in the lower, each the upper half of
+    /// Slope of the visible surface for each sample: growth of reversed_z to the next sample,
+    /// rightward in the upper half of the bits and upward in the lower, each the upper half of
     /// a float's; nullptr: not wanted.
     std::uint32_t* slopes = nullptr;
 
     static constexpr std::size_t beyond = 64;
 };
 
-/// Triangles, three corners each; counter-clockwise ones look at the eye.
+/// Triangles, three corners each; counter-clockwise ones face the eye.
 struct Triangles {
     const std::uint32_t* indices;  ///< counted from `first_vertex` on
     std::size_t first_vertex;
@@ -64,8 +64,8 @@ struct Triangles {
     bool double_sided;  ///< else backs are left out
 };
 
-/// Draws what a band's samples see of triangles. A sample lies in one of two triangles that share
-/// an edge, never in both or none: edges are whole numbers.
+/// Rasterises triangles into a band's samples. A sample lies in exactly one of two triangles that
+/// share an edge: edge functions are integers.
 void rasterise(const ProjectedVertices& vertices, const Triangles& triangles, const Band& band);
 
 }  // namespace fumon::rasteriser_vectors

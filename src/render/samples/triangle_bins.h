@@ -29,8 +29,8 @@ struct TriangleGroup {
 class TriangleBins {
   public:
     /// `first_row` in the picture; bands of `band_rows` rows, the last perhaps of fewer. Triangles
-    /// with a corner that has no place are told by needing_clipping(). What parts point to outlives
-    /// the drawing.
+    /// with a corner that cannot be projected are listed by needing_clipping(). The arrays of the
+    /// parts outlive the drawing.
     void bin(const rasteriser_vectors::ProjectedVertices& vertices,
              std::vector<TriangleGroup> parts, int first_row, int rows, int band_rows,
              WorkerPool& pool);

@@ -13,28 +13,28 @@ namespace fumon {
 
 class WorkerPool;
 
-/// What samples see of endless ground, in memory that shaders read as it is
+/// The visibility buffer of endless ground, in memory that shaders read directly
 /// (world/world_position.glsl).
 class VisibilityBuffer {
   public:
     /// Whether OpenGL's buffers may be that large.
     [[nodiscard]] static bool holds(const SampleRectangle& samples);
 
-    /// Pixels of the samples, and what tells them apart.
+    /// Pixels of the samples, and the bounds that classify them.
     struct Pixels {
         PixelGrid grid;
         pixel_class_vectors::ClassBounds bounds{};
     };
 
-    /// See GroundRasteriser::rasterise(). `in_target`: where the shaders count the rectangle's
-    /// first sample. Without `pixels` their kinds are not told. Throws Error where OpenGL gives no
-    /// memory, or has lost what was written.
+    /// See GroundRasteriser::rasterise(). `in_target`: position of the rectangle's
+    /// first sample in the shaders. Without `pixels` no pixel is classified. Throws Error where
+    /// OpenGL has no memory, or has lost the contents.
     void rasterise(const GroundTriangles& ground, const Camera& camera,
                    const SampleRectangle& samples, const glm::ivec2& in_target,
                    const std::optional<Pixels>& pixels, WorkerPool& pool);
     [[nodiscard]] const PixelClasses& kinds() const { return kinds_; }
 
-    /// Sets what a program in use needs to look it up, in that texture unit.
+    /// Sets the uniforms with which a program in use reads the buffer, in that texture unit.
     void bind(const gl::Program& program, int unit) const;
 
   private:

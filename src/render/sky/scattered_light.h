@@ -10,7 +10,7 @@ namespace fumon {
 /// Light in the air over level ground under one sun, by successive orders of scattering: what comes
 /// to a dozen heights from all directions, scattered there by molecules and aerosol as their phase
 /// functions have it, on its way to the others, again and again, with ground that throws back what
-/// sun and sky send it. The sun is as high over all places when light is scattered again; the
+/// sun and sky send it. The sun is as high over all points when light is scattered again; the
 /// tables' isotropic light says how much more or less there is of it where it is not. Against
 /// photons walked through the same air a desert's sky is within 6 %.
 class ScatteredLight {

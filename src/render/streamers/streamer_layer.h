@@ -24,15 +24,15 @@ namespace fumon {
 /// The texture unit of what StreamerLayer draws, while ground and sky are coloured.
 inline constexpr int streamer_unit = 14;
 
-/// Blown sand over endless ground, as an absorbing and scattering medium. What it does to the light
-/// of each pixel is found from the depths that its samples see and before these are coloured, so
-/// that ground and sky are seen through it before any tone curve. Light is scattered once; puffs
-/// shade neither each other nor the ground.
+/// Blown sand over endless ground, as an absorbing and scattering medium. Transmittance and
+/// scattered light of each pixel follow from the depths of its samples and are found before
+/// shading, so that they act on ground and sky before any tone curve. Light is scattered once;
+/// puffs shade neither each other nor the ground.
 class StreamerLayer {
   public:
     StreamerLayer(const View& view, const Block& block, int width, int height);
 
-    /// Chooses what a camera sees of it, for all tiles of a picture, when it has gone on so often.
+    /// Chooses the puffs in a camera's view after `steps` moves, for all tiles of a picture.
     void choose(const BlownSand& sand, std::int64_t steps, const GroundTransform& ground,
                 const Camera& camera);
     /// Rasterises what stands on the ground into the bound target, by a program with

@@ -9,15 +9,15 @@
 
 namespace fumon {
 
-/// Throws KeyError for `key` where a view does not show how large things are that stand or lie on
-/// the bed: without metres, perspective or the scenic look, or with exaggerated heights. `what`
-/// begins the message: "a person on the bed".
+/// Throws KeyError for `key` where a view does not show true sizes of things on the bed: without
+/// metres, perspective or the scenic look, or with exaggerated heights. `what` begins the message:
+/// "a person on the bed".
 void check_shows_scale(const View& view, const Block& block, const Snapshot& first,
                        const std::string& key, const std::string& what);
 
-/// Of a place, metres east and north of the bed's south-western corner, that `key` says and
-/// `said` ("person.0.at") begins the message with: block lengths from the bed's middle. Throws
-/// KeyError where it is beside a bed that has an end, or outside its domain.
+/// Converts a position of the key `key`, metres east and north of the bed's south-western corner,
+/// to block lengths from the bed's middle. `said` ("person.0.at") begins the message. Throws
+/// KeyError where the position is outside a bed that has an end, or outside the domain.
 glm::dvec2 bed_position(const glm::dvec2& metres, const View& view, const Block& block,
                         const Snapshot& first, const std::string& key, const std::string& said);
 

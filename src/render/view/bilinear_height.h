@@ -9,7 +9,7 @@
 
 namespace fumon {
 
-/// The height of a drawn bed at a place, as shares of its sides from the south-west corner; linear
+/// The height of a drawn bed at a point, as shares of its sides from the south-west corner; linear
 /// between cells. `repeats`: beyond its edges it goes on with its other side.
 template <class Number>
 Number bilinear_height(const Field<Number>& z, const glm::dvec2& share, bool repeats) {

@@ -27,9 +27,9 @@ struct Block {
     /// Points whose convex hull is the domain's outline: its corners, or, where cells lie outside,
     /// both ends of every row.
     std::vector<glm::dvec2> outline;
-    std::optional<glm::dvec3> eye;      ///< where the camera stands, if it stands at a place
+    std::optional<glm::dvec3> eye;      ///< where the camera stands, if it stands at a point
     double eye_above = 0.0;             ///< the ground there, at least
-    std::optional<glm::dvec3> look_at;  ///< what it looks at, if that is a place
+    std::optional<glm::dvec3> look_at;  ///< what it looks at, if that is a point
     double rock = 0.0;                  ///< 0 sand … 1 mountains, for the natural colouring
     GroundTiles tiles;                  ///< of endless ground, whose block is one of them wide
 
@@ -73,7 +73,7 @@ double figure_exaggeration(const Snapshot& snapshot);
 /// for landforms 5 % of the longer side high and keeps its underside below model height −0.1, to
 /// which the sand models dip; real terrain gets 1 %. Under water the bed has
 /// room below it for half of what its relief lacks of ten depths, at most 5 % of the longer side.
-/// `footing`: how many model heights the underside lies below the lowest place, where that is a
+/// `footing`: how many model heights the underside lies below the lowest point, where that is a
 /// number.
 Block frame_block(const Snapshot& first, double exaggeration,
                   const WordOrReal& room = {"auto", 0.0},

@@ -11,7 +11,7 @@ namespace fumon {
 
 /// The cell of a periodic bed that is the first one, the south-western, of the bed as it is drawn.
 /// Endless ground is drawn from the camera's cell: means over 2, 4, 8 … cells, and what rounding
-/// makes of places, then depend on where the ground lies from the camera, not on where the array
+/// makes of points, then depend on where the ground lies from the camera, not on where the array
 /// begins.
 struct DrawnOrigin {
     int east = 0;  ///< cells from the array's first one
@@ -23,7 +23,7 @@ struct DrawnOrigin {
 /// Cameras stand at whole and half cells more often than anywhere else.
 inline constexpr double cell_boundary_offset = 0.317;
 
-/// The origin that puts the cell in which a camera stands into the middle of the drawn bed.
+/// The origin that centres the drawn bed on the camera's cell.
 inline DrawnOrigin origin_around(const Camera& camera, const Block& block, int nx, int ny) {
     const auto first_of = [&](double position, double extent, int count) {
         const double share = position / extent + 0.5;

@@ -21,12 +21,12 @@ Block block_of_frame(const Block& block, const LookSettings& look, const Snapsho
 Camera camera_at_step(const View& view, const Block& block, std::int64_t step,
                       std::int64_t last_step);
 
-/// A camera that stands at a place, raised where the ground of a frame has risen.
+/// A camera that stands at a point, raised where the ground of a frame has risen.
 Camera above_ground(Camera camera, const Block& block, const Snapshot& snapshot,
                     const TileWarp& copies = {});
 
 /// The view whose camera.at and camera.look_at count from the ground of a picture's snapshot, where
-/// those of `view` count from that of the run's first, as all framing does: the same places, with
+/// those of `view` count from that of the run's first, as all framing does: the same points, with
 /// heights over the first bed. Both snapshots as they are shown.
 View standing_on(View view, const Snapshot& first, const Snapshot& drawn);
 

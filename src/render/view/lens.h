@@ -19,14 +19,14 @@ double lens_radius(const CameraSettings& settings, const Block& block, const Cam
 
 /// Ground that rays may meet, block lengths.
 struct RayGround {
-    std::function<double(const glm::dvec2&)> height;  ///< z at a place from the bed's middle
+    std::function<double(const glm::dvec2&)> height;  ///< z at a point from the bed's middle
     double highest = 0.0;
     double step = 1e-3;     ///< of a ray at first
     double growth = 1e-3;   ///< of its steps, per length
     double farthest = 1e3;  ///< where rays end
 };
 
-/// The depth at which the ray through a place of the picture (−1 … 1 rightward and upward) meets
+/// The depth at which the ray through a point of the picture (−1 … 1 rightward and upward) meets
 /// ground, seen through a pinhole; infinite where it meets none.
 double depth_of_ground(const Camera& camera, const glm::dvec2& position, const RayGround& ground);
 
@@ -39,7 +39,7 @@ double widest_circle_of_confusion(const Camera& camera, const RayGround& ground,
 /// apart; 16 to 128.
 int enough_lens_points(double widest_pixels);
 
-/// Some points of a lens and places within a pixel, of the same number.
+/// Some points of a lens and points within a pixel, of the same number.
 struct LensPoint {
     glm::dvec2 on_disc;   ///< of radius 1
     glm::dvec2 in_pixel;  ///< −1/2 … 1/2

@@ -33,7 +33,7 @@ class SurroundingPlain {
     /// The bed's own tile of such maps, which is periodic too.
     [[nodiscard]] Snapshot own_tile(const Snapshot& maps) const;
 
-    /// Gives the block of the bed its tiles, and sets a camera that stands or looks at a place of
+    /// Gives the block of the bed its tiles, and sets a camera that stands or looks at a point of
     /// the scene on the ground of these maps, where the bed ends too.
     void stand_in(const CameraSettings& camera, const Snapshot& maps, Block& block) const;
 

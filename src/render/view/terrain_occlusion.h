@@ -14,7 +14,7 @@ class TerrainOcclusion {
   public:
     TerrainOcclusion(const Snapshot& snapshot, const Block& block, const Camera& camera);
 
-    /// Of a place in cells, the middle of the first being (0, 0): the point of the ground, in the
+    /// Of a point in cells, the middle of the first being (0, 0): the point of the ground, in the
     /// block's lengths.
     [[nodiscard]] glm::dvec3 point(const glm::dvec2& cell) const;
 

@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A number of each place, and its slopes.
+/// A number of each point, and its slopes.
 template <class V>
 struct Sloped {
     V value;

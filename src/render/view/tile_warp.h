@@ -8,19 +8,19 @@
 
 namespace fumon {
 
-/// How endless ground stands at a place: where on the bed it is taken from, and how high.
+/// How endless ground stands at a point: where on the bed it is taken from, and how high.
 struct WarpedGround {
     glm::dvec2 offset{0.0};    ///< to where it is taken from, periods
-    glm::dmat2 jacobian{1.0};  ///< how that place moves on, of a way over the ground; periods
+    glm::dmat2 jacobian{1.0};  ///< how that point moves on, of a way over the ground; periods
     double height = 1.0;       ///< of the bed's, counted from its mean
     glm::dvec2 height_gradient{0.0};  ///< how that changes on the way, per period
 };
 
 /// Endless ground of a bed that repeats, whose copies far away are made unlike each other: each
-/// takes its ground from a place somewhat aside, so that it is wider or narrower than the bed, and
-/// stands lower, so that no slope grows by more than a twentieth. Two sets of waves that fit no
-/// period tell where: short ones, by which neighbours differ, and long ones, by which rows wander.
-/// It is fixed to the ground, not to a camera that moves over it.
+/// takes its ground from a point somewhat aside, so that it is wider or narrower than the bed, and
+/// stands lower, so that no slope grows by more than a twentieth. Two sets of waves,
+/// incommensurate with the period, give the offset: short ones make neighbours differ, long ones
+/// bend rows. The warp is fixed to the ground, not to a camera that moves over it.
 class TileWarp {
   public:
     TileWarp() = default;  ///< all alike
@@ -34,10 +34,10 @@ class TileWarp {
     [[nodiscard]] double strength() const { return strength_; }
     /// Whether ground there may be other than the bed's.
     [[nodiscard]] bool varies_at(const glm::dvec2& position) const;
-    /// Of a place from the bed's middle, block lengths.
+    /// Of a point from the bed's middle, block lengths.
     [[nodiscard]] WarpedGround at(const glm::dvec2& position) const;
-    /// The place on the bed that a place on the ground shows, both block lengths from the bed's
-    /// middle; and the place on the ground that shows one of the bed or of its repetitions.
+    /// The point on the bed that a point on the ground shows, both block lengths from the bed's
+    /// middle; and the point on the ground that shows one of the bed or of its repetitions.
     [[nodiscard]] glm::dvec2 bed_position_at(const glm::dvec2& position) const;
     [[nodiscard]] glm::dvec2 ground_position_of(const glm::dvec2& shown) const;
     /// How high ground of a copy stands that stands at `z` on the bed, block lengths.
@@ -47,7 +47,7 @@ class TileWarp {
     /// Its slope, of the bed's there.
     [[nodiscard]] glm::dvec2 slope(const WarpedGround& copy, const glm::dvec2& on_bed,
                                    double z) const;
-    /// Of a place that lies `within` periods aside of `origin`, a cell's corner as `share` of the
+    /// Of a point that lies `within` periods aside of `origin`, a cell's corner as `share` of the
     /// bed's sides: periods from the middle of what is as it is. The same bits for a bed shifted by
     /// whole cells with its cameras.
     [[nodiscard]] glm::dvec2 from_middle(const glm::dvec2& share, const glm::dvec2& within) const;

@@ -7,7 +7,7 @@
 /// See vectors/target.h: the same bits on every target.
 namespace fumon::tile_warp {
 
-/// Of a place, periods from the middle of what is as it is; `strength`: 0 … 1.
+/// Of a point, periods from the middle of what is as it is; `strength`: 0 … 1.
 WarpedGround warp_at(const glm::dvec2& periods, double strength);
 
 }  // namespace fumon::tile_warp

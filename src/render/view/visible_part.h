@@ -15,7 +15,7 @@ struct VisiblePart {
     double sharpness = 0;  ///< pixels to a block length at the nearer ground: a quarter is nearer
 };
 
-/// No place outside the part is seen, whatever the ground between the block's base and its top; a
+/// No point outside the part is seen, whatever the ground between the block's base and its top; a
 /// lens, whose points see past the picture's border, is taken to show all.
 VisiblePart visible_part(const Camera& camera, const View& view, const Block& block);
 

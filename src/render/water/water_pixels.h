@@ -23,12 +23,12 @@ namespace fumon {
 class WaterPixels {
   public:
     /// `fixed`: see fixed_uniforms(). `alike`: each pixel by the program that shades any, at some
-    /// cost, but for those that see two places.
+    /// cost, but for those that see two points.
     WaterPixels(const TilePlan& plan, const gl::Constants& fixed, PixelFormat kind,
                 bool alike = false);
 
     /// Between the samples of a pixel: up to there, in cells of the maps or in widths of a pixel,
-    /// one place stands for all.
+    /// one point stands for all.
     static constexpr float split_distance_cells = 1.25F;
     static constexpr float split_distance_pixels = 14.0F;
 
@@ -45,13 +45,13 @@ class WaterPixels {
     void shade(const gl::Texture2D& visibility, const glm::ivec2& offset, const Shaded& shaded,
                const TileSamples& tile);
 
-    /// The same of places that are known, of pixels of display_8, and reads their colours.
+    /// The same of points that are known, of pixels of display_8, and reads their colours.
     void shade(GBuffer& known, const Shaded& shaded);
 
     /// Whether all kinds are shaded as if they might show anything.
     [[nodiscard]] bool alike() const { return alike_; }
 
-    /// One texel to a pixel: what BedShading::colours() has for a place.
+    /// One texel to a pixel: what BedShading::colours() has for a point.
     [[nodiscard]] const gl::Texture2D& colours() const { return target_.colour(); }
 
   private:
@@ -64,7 +64,7 @@ class WaterPixels {
         gl::Program split;
     };
     const BySamples& by_samples();
-    /// Of places that are known.
+    /// Of points that are known.
     struct ByPositions {
         gl::Program depths;
         gl::Texture2D kinds;
@@ -79,7 +79,7 @@ class WaterPixels {
     gl::Program dry_;
     gl::Program thin_;
     gl::Program deep_;
-    gl::DepthBuffer depths_;  ///< by which kinds of pixels are told apart
+    gl::DepthBuffer depths_;  ///< separates kinds of pixels
     gl::RenderTarget positions_;
     gl::RenderTarget target_;
 };

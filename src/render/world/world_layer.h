@@ -38,7 +38,7 @@ class WorkerPool;
 class WorldLayer {
   public:
     /// Light, heights and shading are of the bed as it is drawn from `origin` on. `mipmaps`
-    /// outlives it. `has_visibility_buffer`: what samples see is found by rasterise_buffer(), not
+    /// outlives it. `has_visibility_buffer`: visibility is rasterised by rasterise_buffer(), not
     /// by rasterise(), and the constant visibility_in_buffer is 1.
     WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
                const DrawnOrigin& origin, const TileWarp& copies, const gl::Constants& fixed,
@@ -53,13 +53,13 @@ class WorldLayer {
     [[nodiscard]] VisibleGround visible_ground(const Camera& camera, double samples_high,
                                                const HeightPyramid& heights,
                                                WorkerPool& pool) const;
-    /// z of ground of those heights at a place from the bed's middle; likewise.
+    /// z of ground of those heights at a position from the bed's middle; likewise.
     [[nodiscard]] double ground_at(const glm::dvec2& position, const HeightPyramid& heights) const;
     /// Takes that as the ground to draw, for as long as it lives.
     void look_at(const VisibleGround& ground);
 
-    /// Through what colours are seen from now on, or null; and the sample of the tile's lower left
-    /// pixel.
+    /// Sets the blown sand in front of the ground, or null, and the sample of the tile's lower
+    /// left pixel.
     void set_streamers(const StreamerLayer* streamers, glm::ivec2 first) {
         streamers_ = streamers;
         first_of_tile_ = first;
@@ -68,9 +68,9 @@ class WorldLayer {
     /// Where a tile's pixels lie among its samples.
     [[nodiscard]] PixelSamples pixel_samples(const TileFrame& tile) const;
 
-    /// Finds what samples see without OpenGL, as GroundRasteriser does: of the pixels that may see
-    /// ground and of the samples beside them. Where pixels have several samples it finds also how
-    /// they are shaded.
+    /// Rasterises visibility without OpenGL, by GroundRasteriser: for pixels that may show ground
+    /// and for the samples beside them. Pixels of several samples are also classified for
+    /// shading.
     void rasterise_buffer(const TileFrame& tile);
     /// Writes that into the bound and cleared target as rasterise() would.
     void copy_visibility(const TileFrame& tile) const;
@@ -105,7 +105,7 @@ class WorldLayer {
     void bind(const gl::Program& program, const gl::Texture2D* visibility,
               const BedShading& shading, const Light& light, const Camera& camera) const;
 
-    /// World to clip coordinates of places as offsets from the eye, as rasterise() draws.
+    /// World to clip coordinates of points as offsets from the eye, as rasterise() draws.
     [[nodiscard]] glm::mat4 clip_from_eye(const Camera& camera) const;
     /// By how much the planet sinks at a distance of 1, block lengths.
     [[nodiscard]] float curvature() const;
