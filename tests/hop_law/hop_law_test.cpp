@@ -342,11 +342,11 @@ TEST_F(HopLawTest, RefusesTheDuneRuleWhereFlightsLengthenWithTheSlope) {
 TEST_F(HopLawTest, RefusesWhatItCannotUse) {
     write_text(folder_ / "sand.toml", small_scene());
     expect_refused(fumon({"hop-law", "sand.toml", "-o", "law.toml"}, folder_.path()), 2,
-                   "of the model airflow, which sand has not");
+                   "but this scene has the model sand");
     expect_refused(measure({"--into", "air.toml"}), 2, "a hop law is for the model sand");
     expect_refused(measure({"--form", "cubic"}), 2, "cubic");
     expect_refused(measure({"--hops", "0"}), 2, "--hops");
-    expect_refused(measure({"--flights", "./law.toml"}), 2, "the name of a table ends in .csv");
+    expect_refused(measure({"--flights", "./law.toml"}), 2, "the name of a table must end in .csv");
     expect_refused(measure({}, "air.toml"), 2, "would be replaced");
     EXPECT_EQ(read_text(folder_ / "air.toml"), small_air);
     expect_refused(measure({}, "nowhere/law.toml"), 3, "cannot write nowhere/law.toml");

@@ -176,7 +176,7 @@ TEST_F(ReplacedFiles, ResumingACompleteRunTouchesNothing) {
 
 TEST_F(ReplacedFiles, NoCommandReplacesWhatItReads) {
     fs::create_symlink("bed.asc", folder_ / "link.png");
-    const std::string read = " is read, and would be replaced; write to another file\n";
+    const std::string read = " is an input and would be replaced; write to another file\n";
     expect_refused({"still", "bed.asc", "-o", "link.png", "--force"}, "link.png" + read);
     ASSERT_EQ(run({"still", "bed.asc", "-q", "-o", "a.png", "--set", "image.width=64", "--set",
                    "image.height=48"})

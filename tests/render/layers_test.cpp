@@ -380,7 +380,7 @@ TEST(Persons, StandWhereTheyShowAScale) {
     EXPECT_EQ(fault(bed), "");
     EXPECT_NE(fault(wavy_bed(40, 30)).find("this bed is not in metres"), std::string::npos);
     view.look.exaggeration = {"", 2.0};
-    EXPECT_NE(fault(bed).find("heights are drawn 2 times as high"), std::string::npos);
+    EXPECT_NE(fault(bed).find("heights are exaggerated 2 times"), std::string::npos);
     bed.scale.dx = bed.scale.dy = 0.01;
     view.look.exaggeration = {"", 1.0};
     EXPECT_NE(fault(bed).find("is 1.75 m tall, and this bed is 0.4 m long"), std::string::npos);

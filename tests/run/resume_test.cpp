@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(Every, ResumedModel, ::testing::Range(0, 5));
 
 TEST_F(ResumeTest, WhatIsSaidOfARunThatCannotOrNeedNotGoOn) {
     scene(sand_scene(30));
-    expect_refusal({"run", "--resume", "out"}, "out holds no run to go on with");
+    expect_refusal({"run", "--resume", "out"}, "out holds no run to resume");
     ASSERT_EQ(run({"run", "scene.toml", "-o", "out", "-q"}).status, 0);
     const Ended complete = run({"run", "--resume", "out"});
     EXPECT_EQ(complete.status, 0);

@@ -342,7 +342,7 @@ TEST(FrameOverlays, NameWhatDoesNotFit) {
         refused(overlay("title", "upper-left") + overlay("plot", "upper-left"), "", 64, 48)
             .starts_with("overlay.0.kind: overlay.0 does not fit into a picture of 64 x 48"));
     EXPECT_TRUE(refused(overlay("title", "upper-left", "font_size = 200"))
-                    .starts_with("overlay.0.font_size: overlay.0 has no room"));
+                    .starts_with("overlay.0.font_size: overlay.0 does not fit into a picture"));
     EXPECT_TRUE(
         refused(overlay("title", "upper-left") + overlay("time", "lower-left"), "", 480, 270)
             .empty());

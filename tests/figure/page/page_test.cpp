@@ -203,8 +203,9 @@ TEST(Page, TooSmallForItsPanelsSaysSo) {
 TEST(Page, RefusesAPlaceThatIsTakenOrOutside) {
     Page page = page_of({1.0, 1.0}, 2);
     for (PagePanel& panel : page.panels) panel.row = panel.column = 0;
-    EXPECT_NE(message_of<InputError>([&] { lay_out(page); }).find("panel (b) stands where"),
-              std::string::npos);
+    EXPECT_NE(
+        message_of<InputError>([&] { lay_out(page); }).find("panel (b) overlaps another panel"),
+        std::string::npos);
     page.panels[1].column = 2;
     EXPECT_NE(message_of<InputError>([&] { lay_out(page); }).find("the page's 2 columns"),
               std::string::npos);
