@@ -249,7 +249,7 @@ def test_wrong_use_is_one_clear_exception(component):
         model.set_value(BED, [1.0, 2.0, 3.0])
     with pytest.raises(fumon.InputError, match="not finite"):
         model.set_value(BED, np.full(384, np.nan))
-    with pytest.raises(fumon.InputError, match="has 384 values, none 384"):
+    with pytest.raises(fumon.InputError, match="has 384 values; index 384 is out of range"):
         model.set_value_at_indices(BED, [384], [1.0])
     with pytest.raises(fumon.InputError, match="there is no grid 7"):
         model.get_grid_size(7)
