@@ -32,10 +32,10 @@ void check_windward_bubbles(const DunesParameters& parameters) {
     if (parameters.transport == DuneTransport::continuous &&
         parameters.speed_up == DuneSpeedUp::relief)
         return;
-    throw KeyError("model.windward_angle",
-                   "only the shear stress over relief knows the air before slopes; write "
-                   "model.speed_up = \"relief\" and continuous transport, or model.windward_angle "
-                   "= \"none\"");
+    throw KeyError(
+        "model.windward_angle",
+        "still air before slopes needs the shear stress over relief; write model.speed_up = "
+        "\"relief\" and continuous transport, or model.windward_angle = \"none\"");
 }
 
 }  // namespace fumon
