@@ -48,7 +48,7 @@ class Bmi:
         """Steps to the step whose end is nearest to a time: models take whole steps. Ctrl-C stops between two."""
         now = self._core.current_time()
         if time < now:
-            raise ValueError(f"the model is at {now} already and does not go back to {time}")
+            raise ValueError(f"the model is already at {now} and cannot go back to {time}")
         step = self._core.time_step()
         if not step > 0.0:
             raise ValueError("the model's time stands still; use update")
