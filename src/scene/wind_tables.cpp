@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/units.h"
 #include "files/input_file.h"
 #include "keys/key_value.h"
 #include "scene/scene_keys.h"
@@ -156,7 +157,6 @@ void check_no_speed(const Scene& scene, WindList& list, std::size_t number) {
 }
 
 SpeedLaw law_of(const Scene& scene, WindList& list, std::size_t number) {
-    constexpr double metres_per_millimetre = 1e-3;
     SpeedLaw law;
     law.with.grain_diameter = list.of_model("model.grain_diameter") * metres_per_millimetre;
     law.with.roughness = list.of_model("model.roughness");

@@ -7,12 +7,11 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/units.h"
 
 namespace fumon {
 
 namespace {
-
-constexpr double metres_per_millimetre = 1e-3;
 
 void check_given_once(const DuneWind& wind, std::size_t number) {
     const auto refuse = [&](const char* key, const std::string& fault) {
