@@ -113,7 +113,7 @@ class WindList {
     [[nodiscard]] double of_model(const char* key) const {
         return *std::get<double*>(table_.find(key)->target);
     }
-    [[nodiscard]] bool knows_threshold() const {
+    [[nodiscard]] bool has_threshold() const {
         const auto chosen = [&](const char* key) {
             return std::get<ChoiceTarget>(table_.find(key)->target).word();
         };
@@ -198,7 +198,7 @@ void read_wind_tables(Scene& scene) {
         const double strength = list.real(n, "strength");
         const double duration = list.real(n, "duration");
         const double flux = list.of_model("model.flux");
-        const bool by_speed = !table.rose.empty() && list.knows_threshold() &&
+        const bool by_speed = !table.rose.empty() && list.has_threshold() &&
                               list.word_or_real(n, "threshold_ratio").word == "auto";
         list.clear_text(n, "table");
         list.repeat(n, winds.size());

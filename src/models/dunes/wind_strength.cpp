@@ -17,7 +17,7 @@ void check_given_once(const DuneWind& wind, std::size_t number) {
     const auto refuse = [&](const char* key, const std::string& fault) {
         throw KeyError(fmt::format("wind.{}.{}", number, key), fault);
     };
-    if (wind.is_measured() && !wind.speed.is_word() && !wind.friction_velocity.is_word())
+    if (!wind.speed.is_word() && !wind.friction_velocity.is_word())
         refuse("friction_velocity", "speed and friction_velocity give the same quantity; keep one");
     if (wind.is_measured() && wind.strength != DuneWind{}.strength) {
         refuse("strength",
@@ -52,17 +52,17 @@ DunesParameters with_wind_strengths(const DunesParameters& parameters) {
     DunesParameters resolved = parameters;
     const SandAndAir with = sand_and_air_of(parameters);
     const double threshold = impact_threshold(with);
-    const bool knows_threshold = parameters.transport == DuneTransport::continuous &&
-                                 parameters.speed_up == DuneSpeedUp::relief;
+    const bool has_threshold = parameters.transport == DuneTransport::continuous &&
+                               parameters.speed_up == DuneSpeedUp::relief;
     for (std::size_t n = 0; n < resolved.winds.size(); ++n) {
         DuneWind& wind = resolved.winds[n];
         check_given_once(wind, n);
-        const bool by_speed = wind.threshold_ratio.word == "auto";
-        if (by_speed) wind.threshold_ratio = {"none", 0.0};
+        const bool is_automatic = wind.threshold_ratio.word == "auto";
+        if (is_automatic) wind.threshold_ratio = {"none", 0.0};
         if (!wind.is_measured()) continue;
         const double velocity = friction_velocity_of(wind, n, with);
         wind.strength = yearly_flux(with, velocity) / parameters.flux;
-        if (wind.strength > 0.0 && by_speed && knows_threshold)
+        if (wind.strength > 0.0 && is_automatic && has_threshold)
             wind.threshold_ratio = velocity / threshold;
         if (wind.strength == 0.0 && parameters.transport == DuneTransport::slabs) {
             throw KeyError(
@@ -78,8 +78,8 @@ DunesParameters with_wind_strengths(const DunesParameters& parameters) {
 double strongest_wind(const DunesParameters& parameters) {
     double strongest = 0.0;
     for (const DuneWind& wind : parameters.winds) strongest = std::max(strongest, wind.strength);
-    const bool by_speed = std::ranges::all_of(parameters.winds, &DuneWind::is_measured);
-    return strongest > 0.0 && by_speed ? strongest : std::max(strongest, 1.0);
+    const bool all_measured = std::ranges::all_of(parameters.winds, &DuneWind::is_measured);
+    return strongest > 0.0 && all_measured ? strongest : std::max(strongest, 1.0);
 }
 
 }  // namespace fumon
