@@ -1,6 +1,7 @@
 // What is known of the bed at a place (0 … 1): the lighting texture of render/lighting.h.
 uniform sampler2D lighting_map;
 uniform sampler2D value_map;  // palette places
+uniform float paved;          // 1: level rock is desert pavement
 uniform float marks;          // 1: some cells stand out, 2: plants and rock do
 uniform sampler2D mark_map;   // 0 … 1: how much a cell stands out; of plants and rock 128/255 is bare sand
 uniform sampler2D uncoloured_map;  // 1: the cell has no palette place
@@ -87,5 +88,5 @@ vec3 marked(vec3 albedo, vec2 position) {
     // Dry grass between whose tufts sand shows, and weathered rock.
     vec2 others = plants_and_rock(position);
     albedo = mix(albedo, vec3(0.140, 0.132, 0.066), 0.9 * others.x);
-    return mix(albedo, vec3(0.275, 0.195, 0.140), others.y);
+    return mix(albedo, mix(vec3(0.275, 0.195, 0.140), vec3(0.195, 0.160, 0.133), paved), others.y);
 }

@@ -8,6 +8,7 @@
 #include "bed/bed.glsl"
 #include "bed/ground.glsl"
 #include "world/rock.glsl"
+#include "world/pavement.glsl"
 #include "world/world_position.glsl"
 #include "world/world.glsl"
 
@@ -29,7 +30,7 @@ vec4 far_colour(SurfacePoint at) {
     if (clouds > 0.5) point.sun *= cloud_shade(at.offset);
     float standing = rippled(sand.a, surface.r, length(slope));
     point.normal = normalize(vec3(point.normal.xy - uneven.xy * point.normal.z, point.normal.z));
-    if (has_rock()) weather(point.normal, albedo, in_metres(at.offset), metres(length(at.along) + length(at.up)), rocky);
+    if (has_rock()) wear(point.normal, albedo, at, rocky, length(slope));
     float spread = 0.7 * ripple_slope * standing * dot(facing_of(slope), to_sun.xy);
     float n_dot_l = mean_facing(dot(point.normal, to_sun), spread);
     float direct = roughened(point.sun * n_dot_l, point.normal, to_eye, least_facing(rocky));

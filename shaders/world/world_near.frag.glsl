@@ -8,6 +8,7 @@
 #include "bed/bed.glsl"
 #include "bed/ground.glsl"
 #include "world/rock.glsl"
+#include "world/pavement.glsl"
 #include "world/world_position.glsl"
 #include "world/world.glsl"
 #include "world/slip_faces.glsl"
@@ -203,7 +204,7 @@ vec4 near_colour(SurfacePoint at) {
     if (has_rock()) share.y *= level_share(slope.steep, rocky);
     vec3 albedo = albedo_of(sand, share.y * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z + 0.15 * tongue.z + 0.2 * crest);
     if (has_rock()) {
-        weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), rocky);
+        wear(mean.normal, albedo, at, rocky, slope.steep);
         direct = mix(direct, mean.sun * mean_facing(dot(mean.normal, to_sun), 0.25), rocky);
     }
     if (clouds > 0.5) {

@@ -308,6 +308,7 @@ void BedShading::bind(const gl::Program& program) const {
     program.set("tinted", colours_water(view_.look.colour_by) ? 0.0F : 1.0F);
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
     program.set("marks", mark_number(view_.look.mark));
+    program.set("paved", view_.look.rock == RockSurface::pavement ? 1.0F : 0.0F);
     program.set("natural", view_.look.colour_by == Colouring::natural ? 1.0F : 0.0F);
     program.set("rock", static_cast<float>(block_.rock));
     program.set("floor_values", floor_coordinates_);

@@ -121,6 +121,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
         {"parallel", switched(view.camera.projection != Projection::perspective)},
         {"natural", switched(view.look.colour_by == Colouring::natural)},
         {"marks", mark_number(view.look.mark)},
+        {"paved", switched(view.look.rock == RockSurface::pavement)},
         {"tinted", switched(!colours_water(view.look.colour_by))},
         {"figure", switched(view.look.mode == ViewMode::figure)},
         {"clear", switched(view.look.relief == FigureRelief::clear)},

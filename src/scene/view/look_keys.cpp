@@ -192,6 +192,13 @@ void list_marking_keys(LookSettings& look, KeyTable& table) {
                   {Marking::ground, "ground",
                    "plants in their green where the dunes have some, and rock without sand"}},
                  {.help = "cells that are marked"});
+    table.choice(
+        "look.rock", look.rock,
+        {{RockSurface::weathered, "weathered", "worn and jointed, reddish brown"},
+         {RockSurface::pavement, "pavement",
+          "desert pavement where it is level: dark stones that wind has left, with sand "
+          "in their lee"}},
+        {.help = "what rock without sand looks like, where look.mark = \"ground\" shows it"});
     table.integer("look.profile_start", look.profile_start,
                   {.unit = "sites",
                    .range = {0, largest_grid_side},

@@ -75,6 +75,7 @@ struct AirSettings {
 enum class Colouring { natural, height, slope, change, water_depth, speed, froude, drainage };
 enum class ViewMode { scenic, figure };
 enum class Marking { none, last_avalanche, ground };
+enum class RockSurface { weathered, pavement };
 enum class Ground { automatic, table, endless };
 enum class FarGround { varied, alike };
 enum class Background { surroundings, transparent };
@@ -120,8 +121,9 @@ struct LookSettings {
     double turbidity = 0.15;                   ///< 0 clear … 1 muddy
     bool air = true;  ///< draw the air over a profile, where the model has some
     Marking mark = Marking::none;
-    std::int64_t profile_start = 0;  ///< of a single row: the first site shown
-    std::int64_t profile_sites = 0;  ///< and how many; 0: 900 or all
+    RockSurface rock = RockSurface::weathered;  ///< where marked ground is rock
+    std::int64_t profile_start = 0;             ///< of a single row: the first site shown
+    std::int64_t profile_sites = 0;             ///< and how many; 0: 900 or all
 
     [[nodiscard]] bool draws_contours() const { return contours.word != "none"; }
 };
