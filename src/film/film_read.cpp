@@ -16,6 +16,7 @@
 #include "film/film_texts.h"
 #include "film/script/film_check.h"
 #include "film/script/film_keys.h"
+#include "film/title_times.h"
 #include "keys/assign.h"
 #include "keys/override.h"
 #include "keys/toml_text.h"
@@ -239,6 +240,8 @@ Film parse_film(std::string_view text, const std::string& source,
     for (std::size_t i = 0; i < film.excerpts.size(); ++i)
         faults.attempt([&] { read_excerpt(film, i, reads_files); });
     if (faults.none()) check_excerpts(film, faults);
+    // A film that was made may have them, and is made again as it is.
+    if (faults.none() && reads_files) check_title_times(film, faults);
     faults.report();
     return film;
 }

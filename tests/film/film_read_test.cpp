@@ -37,6 +37,45 @@ TEST(FilmRead, TakesShotsKeysCardsAndCaptions) {
     EXPECT_EQ(film_toml(parse_film(film_toml(film), "again")), film_toml(film));
 }
 
+TEST(FilmRead, TakesASizeAsItIsWritten) {
+    const FilmSize size =
+        film_size(parse_film("[film]\nsize = \"1200x630\"\n[[shot]]\n", "f.toml"));
+    EXPECT_EQ(size.width, 1200);
+    EXPECT_EQ(size.height, 630);
+    EXPECT_EQ(film_refusal("[film]\nsize = \"12x9000\"\n[[shot]]\n"),
+              "f.toml:2:8: film.size = \"12x9000\": a film has 16 to 8192 pixels along each side");
+    EXPECT_TRUE(film_refusal("[film]\nsize = \"1200 x\"\n[[shot]]\n")
+                    .starts_with("f.toml:2:8: unknown film.size"));
+}
+
+TEST(FilmRead, RefusesTitlesThatStandOverOneAnother) {
+    EXPECT_EQ(film_refusal("[[shot]]\nseconds = 9\n[[caption]]\nfrom = 1\nto = 4\ntext = \"a\"\n"
+                           "[[caption]]\nfrom = 3\nto = 5\ntext = \"b\"\n"),
+              "f.toml:8:8: caption.1 (from 3 to 5 s, \"b\") is shown at the same time as caption.0 "
+              "(from 1 to 4 s, \"a\"); let one end where the other begins");
+    EXPECT_EQ(
+        film_refusal("[[shot]]\nseconds = 6\n[[card]]\nseconds = 4\n[[card]]\nplace = \"end\"\n"
+                     "seconds = 4\n"),
+        "f.toml:6:9: card.1 stands over card.0 for 2 s; shorten one, or write ground = \"dark\"");
+    EXPECT_EQ(
+        film_refusal("[[shot]]\nseconds = 9\n[[caption]]\nfrom = 4\nto = 6\n[[caption]]\nfrom = 1\n"
+                     "to = 4\n[[card]]\nseconds = 5\n[[card]]\nplace = \"end\"\nseconds = 4\n"),
+        "");
+}
+
+TEST(FilmRead, RefusesTitlesLongerThanTheFilm) {
+    EXPECT_EQ(film_refusal("[[shot]]\nseconds = 2\n[[caption]]\nfrom = 50\nto = 53\n"),
+              "f.toml:5:6: caption.0.to = 53 is after the film's end, at 2 s");
+    EXPECT_EQ(
+        film_refusal("[[shot]]\nseconds = 2\n[[card]]\nseconds = 30\n"),
+        "f.toml:4:11: card.0.seconds = 30 is longer than the film's shots, 2 s; write less, or "
+        "ground = \"dark\", which lets it stand before or after them");
+    // One that stands before the shots lengthens the film.
+    EXPECT_EQ(film_refusal("[[shot]]\nseconds = 2\n[[card]]\nseconds = 30\nground = \"dark\"\n"
+                           "[[caption]]\nfrom = 28\nto = 31\n"),
+              "");
+}
+
 TEST(FilmRead, LocatesEveryFault) {
     EXPECT_EQ(film_refusal("[[shot]]\nsecond = 3\n[film]\nrat = 3\nquality = \"good\"\n"),
               "f.toml:2:1: unknown key shot.0.second; did you mean \"shot.0.seconds\"?\n"

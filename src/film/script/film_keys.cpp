@@ -21,7 +21,7 @@ constexpr double longest_shot_seconds = 3600.0;  // seconds
 void list_film(FilmSettings& film, KeyTable& table) {
     table.text("film.title", film.title,
                {.help = "what cards and captions call {title}; empty: the scene's title"});
-    table.text("film.size", film.size, {.help = "by name: " + film_size_names()});
+    table.text("film.size", film.size, {.help = "by name, or as 1920x1080: " + film_size_names()});
     table.integer("film.width", film.width,
                   {.unit = "pixels",
                    .range = {0, largest_film_side},

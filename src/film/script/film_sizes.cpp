@@ -2,8 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstddef>
+#include <optional>
 #include <string_view>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -28,6 +34,21 @@ constexpr std::array<NamedSize, 9> named_sizes{{{"1080p", {1920, 1080}},
                                                 {"square", {1080, 1080}},
                                                 {"widescreen", {2580, 1080}},
                                                 {"small", {480, 270}}}};
+
+/// Of "1920x1080"; nothing of any other text.
+std::optional<FilmSize> sides_of(std::string_view text) {
+    const std::size_t cross = text.find('x');
+    if (cross == std::string_view::npos) return std::nullopt;
+    FilmSize sides;
+    const auto is_number = [](std::string_view digits, std::int64_t& number) {
+        const char* end = digits.data() + digits.size();
+        const auto [at, fault] = std::from_chars(digits.data(), end, number);
+        return fault == std::errc() && at == end;
+    };
+    if (!is_number(text.substr(0, cross), sides.width)) return std::nullopt;
+    if (!is_number(text.substr(cross + 1), sides.height)) return std::nullopt;
+    return sides;
+}
 
 }  // namespace
 
@@ -54,6 +75,14 @@ FilmSize film_size(const Film& film) {
         return {settings.width, settings.height};
     }
     if (const NamedSize* named = find_named(named_sizes, settings.size)) return named->size;
+    if (const std::optional<FilmSize> sides = sides_of(settings.size)) {
+        if (std::min(sides->width, sides->height) >= smallest_film_side &&
+            std::max(sides->width, sides->height) <= largest_film_side)
+            return *sides;
+        throw InputError(fmt::format(
+            "{}film.size = \"{}\": a film has {} to {} pixels along each side",
+            film.at("film.size"), settings.size, smallest_film_side, largest_film_side));
+    }
     std::vector<std::string> known;
     known.reserve(named_sizes.size());
     for (const NamedSize& named : named_sizes) known.emplace_back(named.name);
