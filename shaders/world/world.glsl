@@ -185,6 +185,9 @@ float roughened(float direct, vec3 normal, vec3 to_eye, float least) {
 float metres(float block_lengths) { return block_lengths * (0.12 / ripple_length); }
 vec3 in_metres(vec3 offset) { return vec3(whole_eye + offset.xy, offset.z + eye.z) * (0.12 / ripple_length); }
 
+// How much of light at a place is left by the air before it, a mean of the colours.
+float seen_through_air(SurfacePoint at) { return dot(air_left(length(at.offset)), vec3(1.0 / 3.0)); }
+
 // What the eye gets of light that leaves the ground, which gets a share of the sun.
 vec4 colour_at_eye(vec3 light, SurfacePoint at, vec3 to_eye, float sun) {
     vec3 through = air_left(length(at.offset));
