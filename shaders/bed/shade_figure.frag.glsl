@@ -3,6 +3,7 @@
 // No haze and no tone curve, so that the colour bar stays true.
 #include "common/colour.glsl"
 #include "bed/bed.glsl"
+#include "bed/drape.glsl"
 
 uniform sampler2D palette;
 uniform float natural;
@@ -31,8 +32,11 @@ void main() {
     vec3 albedo = linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb);
     vec3 plain = clear > 0.5 ? vec3(0.62, 0.52, 0.38) : vec3(0.82, 0.66, 0.45);
     albedo = marked(mix(albedo, plain, max(natural, texture(uncoloured_map, position).r)), position);
+    Laid laid = drape_at(position, vec2(0.0));
+    albedo = with_drape(albedo, laid);
     if (clear > 0.5) {
-        colour = vec4(display_from_linear(mix(albedo, as_diagram(albedo, point), shading)), 1.0);
+        vec3 displayed = display_from_linear(mix(albedo, as_diagram(albedo, point), shading));
+        colour = vec4(as_it_is(displayed, laid, 1.0), 1.0 - laid.share);
         return;
     }
     float level = max(to_sun.z, 0.25);
@@ -40,5 +44,5 @@ void main() {
     float light = 0.30 + 0.32 * point.sky + 0.38 * min(lit, 1.6);
     light = min(light, 1.0);
     if (shading < 1.0) light = mix(1.0, light, shading);
-    colour = vec4(display_from_linear(albedo * light), 1.0);
+    colour = vec4(as_it_is(display_from_linear(albedo * light), laid, 1.0), 1.0 - laid.share);
 }

@@ -6,6 +6,7 @@
 #include "common/oren_nayar.glsl"
 #include "bed/bed.glsl"
 #include "bed/ground.glsl"
+#include "bed/drape.glsl"
 
 in vec2 position;
 out vec4 colour;
@@ -15,6 +16,8 @@ void main() {
     vec2 world = (position - 0.5) * extent;
     vec3 world_point = vec3(world, 0.0);
     vec3 to_eye = direction_to_eye(world_point);
-    vec3 light = ground_light(ground_albedo(position, point), point, to_eye, 1.0);
-    colour = vec4(display_from_linear(tone_curve(with_haze(light, world_point, -to_eye))), 1.0);
+    Laid laid = drape_at(position, vec2(0.0));
+    vec3 light = ground_light(with_drape(ground_albedo(position, point), laid), point, to_eye, 1.0);
+    vec3 displayed = display_from_linear(tone_curve(with_haze(light, world_point, -to_eye)));
+    colour = vec4(as_it_is(displayed, laid, 1.0), 1.0 - laid.share);
 }

@@ -1,7 +1,7 @@
 // Ground that water shapes and water over it, at one place: wet ground is darker and glossier, what the water laid down is
 // paler, and the water tints it by its depth, mirrors the sky and the banks and foams where it shoots (Froude number over 1).
 // Needs common/colour.glsl, common/light.glsl, common/oren_nayar.glsl, bed/bed.glsl, bed/ground.glsl, sky/sky.glsl,
-// bed/water_body.glsl, bed/soil.glsl and bed/water.glsl before it, and `under_water`: dry_water where it is known that no
+// bed/water_body.glsl, bed/drape.glsl, bed/soil.glsl and bed/water.glsl before it, and `under_water`: dry_water where it is known that no
 // water is closed, thin_water where it is a film at most (see bed/water.glsl), else any_water.
 uniform float tinted;  // 0: the colours mean something of the water, so it is not seen itself
 
@@ -55,6 +55,12 @@ vec4 water_ground(vec2 position, vec3 world_point, float width, float level) {
         albedo *= (1.0 + 0.13 * soil.tone) * (1.0 - 0.45 * soil.groove);
         albedo = mix(albedo, mix(vec3(0.25, 0.20, 0.155), vec3(0.46, 0.39, 0.31), clamp(0.5 + soil.tone, 0.0, 1.0)), soil.stone);
     }
+    Laid cover = drape_at(position, width / extent);
+    albedo = with_drape(albedo, cover);
+    if (draped > 0.5) {  // what nobody has surveyed gives way
+        soil.slope *= 1.0 - cover.share;
+        soil.groove *= 1.0 - cover.share;
+    }
     // Under water the sun stands higher, bent by the surface, so that small slopes throw less shade.
     float bent = mix(1.0, to_sun.z / sqrt(0.77 + to_sun.z * to_sun.z), visible * water.film * (1.0 - water.thin));
     vec3 normal_below = normalize(vec3(point.normal.xy / max(point.normal.z, 0.05) - bent * soil.slope, 1.0));
@@ -102,6 +108,8 @@ vec4 water_ground(vec2 position, vec3 world_point, float width, float level) {
         surface = mix(surface, foam_light, foam);
         light = mix(light, surface, water.film);
     }
-    return vec4(display_from_linear(tone_curve(with_haze(light, world_point, -to_eye))),
-                1.0 - visible * water.film * grain_hidden);
+    vec3 displayed = display_from_linear(tone_curve(with_haze(light, world_point, -to_eye)));
+    float grainy = 1.0 - visible * water.film * grain_hidden;
+    if (draped > 0.5) grainy *= 1.0 - cover.share;
+    return vec4(as_it_is(displayed, cover, 1.0 - visible * water.film), grainy);
 }

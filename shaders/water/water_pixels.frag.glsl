@@ -6,6 +6,7 @@
 #include "common/oren_nayar.glsl"
 #include "bed/bed.glsl"
 #include "bed/ground.glsl"
+#include "bed/drape.glsl"
 #include "sky/sky.glsl"
 #include "bed/water_body.glsl"
 #include "bed/soil.glsl"

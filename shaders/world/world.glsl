@@ -194,6 +194,9 @@ void wear(inout vec3 normal, inout vec3 albedo, SurfacePoint at, float rocky, fl
     if (paved > 0.5) pave(normal, albedo, place.xy, wind, footprint, rocky * level);
 }
 
+// How much of light at a place is left by the air before it, a mean of the colours.
+float seen_through_air(SurfacePoint at) { return dot(air_left(length(at.offset)), vec3(1.0 / 3.0)); }
+
 // What the eye gets of light that leaves the ground, which gets a share of the sun.
 vec4 colour_at_eye(vec3 light, SurfacePoint at, vec3 to_eye, float sun) {
     vec3 through = air_left(length(at.offset));

@@ -7,6 +7,7 @@
 #include "common/oren_nayar.glsl"
 #include "bed/bed.glsl"
 #include "bed/ground.glsl"
+#include "bed/drape.glsl"
 #include "world/rock.glsl"
 #include "world/pavement.glsl"
 #include "world/world_position.glsl"
@@ -19,10 +20,16 @@ vec4 far_colour(SurfacePoint at) {
     vec2 up = map_offset(at.up.xy);
     vec3 to_eye = -normalize(at.offset);
     vec4 sand = sand_colour(at, position);
+    Laid laid = slanting_drape(position, along, up);
+    if (draped > 0.5) sand.a *= 1.0 - laid.share;
     vec2 surface = textureGrad(surface_map, position, along, up).rg;
     vec2 share = uneven_share(sand.a, surface.g);
     vec3 uneven = share.x * unevenness(sand.a) * relief(at, sand.a);
     float rocky = has_rock() ? weathered(position) : 0.0;
+    if (draped > 0.5) {
+        uneven *= 1.0 - laid.share;
+        rocky *= 1.0 - laid.share;
+    }
     BedPoint point = warped(slanting_bed_point(position, along, up), at, copy);
     vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
     if (has_rock()) share.y *= level_share(length(slope), rocky);
@@ -31,10 +38,12 @@ vec4 far_colour(SurfacePoint at) {
     float standing = rippled(sand.a, surface.r, length(slope));
     point.normal = normalize(vec3(point.normal.xy - uneven.xy * point.normal.z, point.normal.z));
     if (has_rock()) wear(point.normal, albedo, at, rocky, length(slope));
+    albedo = with_drape(albedo, laid);
     float spread = 0.7 * ripple_slope * standing * dot(facing_of(slope), to_sun.xy);
     float n_dot_l = mean_facing(dot(point.normal, to_sun), spread);
     float direct = roughened(point.sun * n_dot_l, point.normal, to_eye, least_facing(rocky));
-    return colour_at_eye(ground_light_of(albedo, direct, point, to_eye, 1.0), at, to_eye, point.sun);
+    vec4 lit = colour_at_eye(ground_light_of(albedo, direct, point, to_eye, 1.0), at, to_eye, point.sun);
+    return vec4(as_it_is(lit.rgb, laid, seen_through_air(at)), lit.a);
 }
 
 void main() { colour = is_other_ground(far_ground) ? vec4(0.0) : far_colour(far_surface_point()); }

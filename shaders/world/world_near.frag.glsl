@@ -7,6 +7,7 @@
 #include "common/oren_nayar.glsl"
 #include "bed/bed.glsl"
 #include "bed/ground.glsl"
+#include "bed/drape.glsl"
 #include "world/rock.glsl"
 #include "world/pavement.glsl"
 #include "world/world_position.glsl"
@@ -163,10 +164,13 @@ vec4 near_colour(SurfacePoint at) {
     vec2 position_up = map_offset(at.up.xy);
     vec3 to_eye = -normalize(offset);
     vec4 sand = sand_colour(at, position);
+    Laid laid = slanting_drape(position, position_along, position_up);
+    if (draped > 0.5) sand.a *= 1.0 - laid.share;
     vec2 surface = textureLod(surface_map, position, coarseness(at, texels_of(textureSize(surface_map, 0).x))).rg;
     float open = surface.r;
     vec2 share = uneven_share(sand.a, surface.g);
     vec3 uneven = share.x * unevenness(sand.a) * (relief(at, sand.a) + 0.5 * fine_relief(at));
+    if (draped > 0.5) uneven *= 1.0 - laid.share;
 
     vec2 lee = vec2(-wind.y, wind.x);  // along the crests
     vec2 whole = (whole_eye + offset.xy) / ripple_length;
@@ -201,12 +205,14 @@ vec4 near_colour(SurfacePoint at) {
     // Crests are of coarser, paler grains.
     float crest = ripple_slope * lit.standing * resolved * lit.trough;
     float rocky = has_rock() ? weathered(position) : 0.0;
+    if (draped > 0.5) rocky *= 1.0 - laid.share;
     if (has_rock()) share.y *= level_share(slope.steep, rocky);
     vec3 albedo = albedo_of(sand, share.y * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z + 0.15 * tongue.z + 0.2 * crest);
     if (has_rock()) {
         wear(mean.normal, albedo, at, rocky, slope.steep);
         direct = mix(direct, mean.sun * mean_facing(dot(mean.normal, to_sun), 0.25), rocky);
     }
+    albedo = with_drape(albedo, laid);
     if (clouds > 0.5) {
         float shade = cloud_shade(offset);
         direct *= shade;
@@ -217,7 +223,8 @@ vec4 near_colour(SurfacePoint at) {
     mean.sky *= 1.0 + 0.4 * ripple_slope * lit.standing * resolved * (lit.trough - 1.0);
     vec3 light = ground_light_of(albedo, direct, mean, to_eye, 1.0);
     light += sun_light * (0.4 * sand_grain * sand.a * mean.sun * glints(at, to_eye));
-    return colour_at_eye(light, at, to_eye, mean.sun);
+    vec4 lit_colour = colour_at_eye(light, at, to_eye, mean.sun);
+    return vec4(as_it_is(lit_colour.rgb, laid, seen_through_air(at)), lit_colour.a);
 }
 
 void main() { colour = is_other_ground(near_ground) ? vec4(0.0) : near_colour(near_surface_point()); }

@@ -17,6 +17,7 @@
 #include "cli/remark.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
+#include "drape/lay_drape.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
 #include "files/netcdf/netcdf_input.h"
@@ -35,6 +36,7 @@
 #include "run/frame_painter.h"
 #include "run/inputs/scene_argument.h"
 #include "run/still.h"
+#include "scene/initial_bed.h"
 #include "scene/terrain_scene.h"
 
 namespace fumon {
@@ -169,6 +171,11 @@ Image picture_from_above(const ExportOptions& options, const std::string& input,
     const double pixels = longer_side / std::max(width, height);
     scene.view.image.width = std::max(16L, std::lround(width * pixels));
     scene.view.image.height = std::max(16L, std::lround(height * pixels));
+    InitialBed drawn;
+    drawn.bed = snapshot.bed;
+    drawn.scale = snapshot.scale;
+    lay_drape(scene, drawn);
+    if (!drawn.note.empty()) remark(drawn.note + "\n");
     WorkerPool pool(options.work.threads, "fumon-render");
     const auto painter = make_frame_painter(scene, snapshot, options.work.backend, pool,
                                             PaintedContent::one_picture);

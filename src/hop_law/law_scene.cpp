@@ -82,7 +82,9 @@ void move_files(const fs::path& output, PreparedRun& sand) {
             file = from_folder(sand.scene.directory / file);
     };
     Scene& scene = sand.scene;
-    if (!sand.initial.inputs.empty() && fs::path(scene.bed.file).is_relative())
+    move(scene.view.look.drape);
+    if (!scene.bed.file.empty() && !sand.initial.inputs.empty() &&
+        fs::path(scene.bed.file).is_relative())
         scene.bed.file = from_folder(sand.initial.inputs.front().path);
     for (PanelSettings& panel : scene.figure.panels) {
         move(panel.scene);

@@ -119,6 +119,7 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
     std::vector<MadePanel> made;
     for (std::size_t k = 0; k < pictures.size(); ++k) {
         MapPicture& picture = pictures[k];
+        picture.background = subject.panel.picture->scene.view.drape;
         MapPanelSettings shown;
         shown.axes = settings.axes;
         shown.x_label = settings.x_label;

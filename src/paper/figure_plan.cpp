@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/find_named.h"
 #include "base/nearest_name.h"
+#include "drape/lay_drape.h"
 #include "figure/words/chosen_words.h"
 #include "files/hash.h"
 #include "files/input_file.h"
@@ -193,6 +194,7 @@ class Planner {
         sources_.find_inputs(scene);
         InitialBed initial = make_initial_bed(scene);
         add_maps(scene, initial);
+        lay_drape(scene, initial);
         scene.grid.nx = initial.bed.nx();
         scene.grid.ny = initial.bed.ny();
         note(initial);

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/snapshots/ground_range.h"
+#include "drape/placed_drape.h"
 #include "files/terrain/geographic.h"
 #include "files/terrain/wanted_unit.h"
 #include "files/unit_conversion.h"
@@ -60,12 +61,14 @@ void check_heights(const Snapshot& snapshot) {
 /// Draws beds that Python brings, framed by the first of them, as terrain files are drawn.
 class BedPainter {
   public:
-    BedPainter(Scene scene, Bed first, const CellSize& cell_size) {
+    BedPainter(Scene scene, Bed first, const CellSize& cell_size, std::optional<Image> drape) {
         InitialBed initial;
         initial.bed = std::move(first.heights);
         initial.nodata = std::move(first.nodata);
         initial.scale = scale_of(cell_size);
-        const PreparedRun run = prepare_run(prepare_scene(std::move(scene), std::move(initial)), 1);
+        PreparedRun run = prepare_run(prepare_scene(std::move(scene), std::move(initial)), 1);
+        if (drape)
+            run.scene.view.drape = std::make_shared<const Drape>(fitted_drape(*std::move(drape)));
         drawer_ = std::make_unique<Drawer>(run.scene, run.initial.inputs,
                                            std::make_shared<const Snapshot>(run.model->snapshot()));
     }
@@ -131,13 +134,18 @@ std::tuple<std::shared_ptr<const Grid>, std::string, std::string> raster_of_bed(
 void define_beds(py::module_& core) {
     py::class_<BedPainter>(core, "BedPainter")
         .def(py::init([](const SceneValue& scene, const GridArray& heights,
-                         const std::optional<MaskArray>& nodata, const CellSize& cell_size) {
+                         const std::optional<MaskArray>& nodata, const CellSize& cell_size,
+                         const std::optional<ImageArray>& drape) {
                  Scene copy = scene.scene();
                  Bed bed = bed_of(heights, nodata);
+                 std::optional<Image> laid;
+                 if (drape) laid = image_of(*drape);
                  const py::gil_scoped_release unlocked;
-                 return std::make_unique<BedPainter>(std::move(copy), std::move(bed), cell_size);
+                 return std::make_unique<BedPainter>(std::move(copy), std::move(bed), cell_size,
+                                                     std::move(laid));
              }),
-             py::arg("scene"), py::arg("heights"), py::arg("nodata"), py::arg("cell_size"))
+             py::arg("scene"), py::arg("heights"), py::arg("nodata"), py::arg("cell_size"),
+             py::arg("drape") = py::none())
         .def("first",
              [](const BedPainter& painter) {
                  Drawing drawing;

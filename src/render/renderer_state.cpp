@@ -39,7 +39,8 @@ RendererState::RendererState(gl::Context& context_, const View& view_, const Sna
       targets({plan, kind, view.look.ground, shades_water_by_pixel(view, first),
                shades_single_surface_pixels()}),
       shading(view, ground, first_ground(), display_bed(first_ground(), ground, refinement),
-              samples_across(), fixed, mipmaps, kind),
+              samples_across(), fixed, mipmaps, kind,
+              {block.width_x / ground.width_x, block.width_y / ground.width_y}),
       terrain(view, block, fixed, shades_water_by_pixel(view, first)),
       background(view, block, light, floor(pool), fixed, wanted, !limits.one_picture),
       one_picture(limits.one_picture) {

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/snapshots/ground_range.h"
+#include "drape/lay_drape.h"
 #include "figure/overlays/frame_overlays.h"
 #include "figure/panels/section_figure.h"
 #include "figure/words/chosen_words.h"
@@ -227,12 +228,14 @@ PreparedScene prepare_scene(Scene scene) {
     complete(scene);
     InitialBed initial = make_initial_bed(scene);
     add_maps(scene, initial);
+    lay_drape(scene, initial);
     return with_bed(std::move(scene), std::move(initial));
 }
 
 PreparedScene prepare_scene(Scene scene, InitialBed initial) {
     complete(scene);
     if (initial.maps.empty()) add_maps(scene, initial);
+    lay_drape(scene, initial);
     return with_bed(std::move(scene), std::move(initial));
 }
 

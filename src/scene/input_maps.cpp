@@ -104,6 +104,7 @@ std::vector<InputKey> input_keys(Scene& scene) {
     const KeyTable keys = scene_keys(scene);
     for (std::size_t n = 0; n < count_of_maps(keys); ++n)
         named.push_back({map_key(n, "file"), &value_of<std::string>(keys, n, "file")});
+    if (!scene.view.look.drape.empty()) named.push_back({"look.drape", &scene.view.look.drape});
     return named;
 }
 

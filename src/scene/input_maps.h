@@ -15,8 +15,8 @@ struct InputKey {
     std::string* file;  ///< its value in the scene
 };
 
-/// The keys of a scene that name files which decide its results, in the order of
-/// InitialBed::inputs: bed.file where it starts from one, then those of [[map]].
+/// The keys of a scene that name files which its run reads, in the order of InitialBed::inputs:
+/// bed.file where it starts from one, then those of [[map]], then look.drape where there is one.
 std::vector<InputKey> input_keys(Scene& scene);
 
 /// Where such a file lies: as it stands on the command line, else as seen from the scene's folder.

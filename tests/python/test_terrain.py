@@ -53,6 +53,22 @@ def test_the_look_is_that_of_the_scenes_keys(picture):
         fumon.render(HILLS, 2.0, look_palette="nopalette")
 
 
+def test_a_drape_lies_north_up_over_the_terrain():
+    drape = np.zeros((30, 40, 4), np.uint8)
+    drape[:15, :, 0] = 255  # the north is red,
+    drape[15:, :, 2] = 255  # the south blue
+    drape[:, 20:, 3] = 255  # and the west seen through
+    look = {"camera_projection": "map", "camera_margin": 0.0, "look_drape_light": "as-it-is", **LOOK}
+    flat = np.ones((30, 40))
+    ground, draped = fumon.render(flat, 2.0, **look), fumon.render(flat, 2.0, drape=drape, **look)
+    assert tuple(draped[16, 72]) == (255, 0, 0) and tuple(draped[48, 72]) == (0, 0, 255)
+    assert np.abs(draped[32, 24].astype(int) - ground[32, 24]).max() <= 6
+    with pytest.raises(TypeError, match="drape is an array of uint8, not float64"):
+        fumon.render(flat, drape=np.zeros((3, 4, 3)))
+    with pytest.raises(fumon.InputError, match="red, green and blue"):
+        fumon.render(flat, drape=np.zeros((3, 4), np.uint8))
+
+
 def test_layers_tell_where_each_pixel_looks(picture):
     y, x = np.mgrid[0:30, 0:40]
     layers = fumon.render_layers(x + 100.0, 10, camera_projection="map", image_width=80, image_height=60)

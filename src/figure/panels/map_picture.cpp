@@ -77,7 +77,7 @@ std::vector<double> known_values(const MapPicture& picture) {
 MapPicture coarser(const MapPicture& fine, int cells) {
     const int nx = (fine.values.nx() + cells - 1) / cells;
     const int ny = (fine.values.ny() + cells - 1) / cells;
-    MapPicture coarse{Grid(nx, ny), Mask(nx, ny), {}, fine.scale, fine.colours};
+    MapPicture coarse{Grid(nx, ny), Mask(nx, ny), {}, fine.scale, fine.colours, fine.background};
     if (!fine.light.empty()) coarse.light = Field<float>(nx, ny, 1.0F);
     for (int y = 0; y < ny; ++y) {
         for (int x = 0; x < nx; ++x) {
@@ -113,6 +113,67 @@ double display(double linear) {
 
 std::uint8_t level(double display_share) {
     return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(display_share, 0.0, 1.0)));
+}
+
+/// Pixels along each side of a cell, for a background as fine as it is.
+int pixels_to_a_cell(const MapPicture& picture, int most) {
+    if (!picture.background || picture.blank.empty()) return 1;
+    const int longer = std::max(picture.values.nx(), picture.values.ny());
+    const int own = std::max(picture.background->width / picture.values.nx(),
+                             picture.background->height / picture.values.ny());
+    return std::clamp(own, 1, std::max(most / longer, 1));
+}
+
+/// What a drape has in a part of its extent, from `low` on, of `count` along a side: the mean.
+/// Laid on `under`.
+std::array<std::uint8_t, 3> mean_of(const Drape& drape, const std::array<int, 2>& low,
+                                    const std::array<int, 2>& count,
+                                    const std::array<std::uint8_t, 3>& under) {
+    const auto range = [&](std::size_t axis, int side) {
+        const auto begin = static_cast<int>(static_cast<long long>(low[axis]) * side / count[axis]);
+        const auto end =
+            static_cast<int>(static_cast<long long>(low[axis] + 1) * side / count[axis]);
+        return std::pair{begin, std::max(end, begin + 1)};
+    };
+    const auto [west, east] = range(0, drape.width);
+    const auto [south, north] = range(1, drape.height);
+    std::array<long long, 3> sums{};
+    long long all = 0;
+    for (int y = south; y < north; ++y) {
+        for (int x = west; x < east; ++x) {
+            const std::uint8_t* texel =
+                drape.texels.data() + 4 * (static_cast<std::ptrdiff_t>(y) * drape.width + x);
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                sums[channel] += texel[channel] * texel[3] + under[channel] * (255 - texel[3]);
+            all += 255;
+        }
+    }
+    std::array<std::uint8_t, 3> mean{};
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        mean[channel] = static_cast<std::uint8_t>((sums[channel] + all / 2) / all);
+    return mean;
+}
+
+/// The image of a picture's cells with its background where they are blank.
+Image on_background(const Image& cells, const MapPicture& picture, int most,
+                    const std::array<std::uint8_t, 3>& empty) {
+    const int pixels = pixels_to_a_cell(picture, most);
+    Image image(cells.width * pixels, cells.height * pixels);
+    for (int row = 0; row < image.height; ++row) {
+        const int y = image.height - 1 - row;
+        for (int x = 0; x < image.width; ++x) {
+            std::uint8_t* pixel = image.row(row) + 3 * static_cast<std::ptrdiff_t>(x);
+            if (picture.blank(x / pixels, y / pixels) == 0) {
+                std::copy_n(cells.row(row / pixels) + 3 * static_cast<std::ptrdiff_t>(x / pixels),
+                            3, pixel);
+            } else {
+                std::ranges::copy(
+                    mean_of(*picture.background, {x, y}, {image.width, image.height}, empty),
+                    pixel);
+            }
+        }
+    }
+    return image;
 }
 
 }  // namespace
@@ -205,7 +266,8 @@ Image map_image(const MapPicture& picture, const Ink& blank, int most) {
                     light == 1.0 ? colour[c] : level(display(light * linear(colour[c] / 255.0)));
         }
     }
-    return image;
+    const bool shows_background = picture.background && !picture.blank.empty();
+    return shows_background ? on_background(image, picture, most, empty) : image;
 }
 
 }  // namespace fumon

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +22,8 @@ struct MapPicture {
     Field<float> light;  ///< of hill_light, of the same size; empty: not shaded
     WorldScale scale;
     ColourScale colours;
+    /// Seen where cells have no value, over the same ground; null: none.
+    std::shared_ptr<const Drape> background{};
 };
 
 /// The palette in which a quantity is shown where look.palette is "sand", that of beds seen as
@@ -51,7 +54,8 @@ std::optional<std::pair<double, double>> values_of(const MapPicture& picture);
 
 /// The picture's cells as pixels, north up; blank ones take `blank`. Where a side has more than
 /// `most` cells, k × k of them are averaged first, the smallest k that will do. Light multiplies
-/// luminance and nothing else.
+/// luminance and nothing else. A background gives the picture as many pixels to a cell as it has
+/// itself, up to `most` a side; it has no light.
 Image map_image(const MapPicture& picture, const Ink& blank, int most);
 
 }  // namespace fumon

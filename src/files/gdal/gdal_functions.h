@@ -24,6 +24,8 @@ struct GdalFunctions {
     FUMON_GDAL(GDALCreate);
     FUMON_GDAL(GDALCreateCopy);
     FUMON_GDAL(GDALDataTypeIsComplex);
+    FUMON_GDAL(GDALGetColorEntryAsRGB);
+    FUMON_GDAL(GDALGetColorEntryCount);
     FUMON_GDAL(GDALGetDatasetDriver);
     FUMON_GDAL(GDALGetDescription);
     FUMON_GDAL(GDALGetDriverByName);
@@ -35,6 +37,7 @@ struct GdalFunctions {
     FUMON_GDAL(GDALGetMetadataItem);
     FUMON_GDAL(GDALGetRasterBand);
     FUMON_GDAL(GDALGetRasterColorInterpretation);
+    FUMON_GDAL(GDALGetRasterColorTable);
     FUMON_GDAL(GDALGetRasterCount);
     FUMON_GDAL(GDALGetRasterDataType);
     FUMON_GDAL(GDALGetRasterNoDataValue);

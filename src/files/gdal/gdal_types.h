@@ -11,6 +11,7 @@ using GDALMajorObjectH = void*;
 using GDALDatasetH = void*;
 using GDALRasterBandH = void*;
 using GDALDriverH = void*;
+using GDALColorTableH = void*;
 using OGRSpatialReferenceH = void*;
 using OGRCoordinateTransformationH = void*;
 struct GDALWarpOptions;
@@ -40,6 +41,9 @@ enum GDALColorInterp {
     GCI_RedBand = 3,
     GCI_BlueBand = 5,
     GCI_AlphaBand = 6,
+};
+struct GDALColorEntry {
+    short c1, c2, c3, c4;
 };
 enum GDALResampleAlg { GRA_NearestNeighbour = 0, GRA_Bilinear = 1 };
 enum OGRAxisOrientation { OAO_Other = 0, OAO_Up = 5, OAO_Down = 6 };

@@ -32,7 +32,7 @@ class Bed:
 
 
 def render(data: Heights, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
-           **look: Setting) -> Image:
+           drape: Bytes | None = None, **look: Setting) -> Image:
     """A picture of a terrain.
 
     data: heights, metres, of any real dtype and strides: an array (ny, nx), whose NaN and masked cells have no data;
@@ -41,6 +41,9 @@ def render(data: Heights, cell_size: CellSize = None, *, origin: Origin = "lower
         count in cells.
     origin: "lower" where row 0 of an array is the southernmost (as fumon and Landlab have it), "upper" where it is
         the northernmost (as most rasters have it). The coordinates of a DataArray say so themselves.
+    drape: a picture laid over the terrain and fitted to its extent: uint8 (height, width, 3), or 4 with opacity,
+        the northernmost row first. ``look_drape="photo.tif"`` names a file; ``look_drape_strength`` and
+        ``look_drape_light`` hold for both.
     look: keys of a scene, with an underscore for the dot: ``camera_azimuth=160, look_palette="viridis",
         image_width=800``.
 
@@ -50,15 +53,15 @@ def render(data: Heights, cell_size: CellSize = None, *, origin: Origin = "lower
     ValueError and TypeError for what is no terrain; InputError for a wrong key.
     """
     bed = bed_of(data, cell_size, origin, field)
-    return Image.drawn(_painter(bed, look).first())
+    return Image.drawn(_painter(bed, look, drape).first())
 
 
 def render_layers(data: Heights, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
-                  **look: Setting) -> Layers:
+                  drape: Bytes | None = None, **look: Setting) -> Layers:
     """The light of the picture that render() gives, before exposure and tone curve, and what each of its pixels shows:
     depth, normals, positions, heights. Arguments and errors as for render()."""
     bed = bed_of(data, cell_size, origin, field)
-    return Layers.drawn(_painter(bed, look).layers())
+    return Layers.drawn(_painter(bed, look, drape).layers())
 
 
 def measure(data: Heights, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
@@ -74,9 +77,13 @@ def measure(data: Heights, cell_size: CellSize = None, *, origin: Origin = "lowe
     return Measures(_core.measure_bed(bed.heights, bed.nodata, bed.cell_size, periodic, channel_area))
 
 
-def _painter(bed: Bed, look: Mapping[str, Setting]) -> _core.BedPainter:
+def _painter(bed: Bed, look: Mapping[str, Setting], drape: Bytes | None = None) -> _core.BedPainter:
+    if drape is not None:
+        drape = np.asarray(drape)
+        if drape.dtype != np.uint8:
+            raise TypeError(f"drape is an array of uint8, not {drape.dtype}")
     scene = _core.SceneValue.terrain(settings_of(look))
-    return _core.BedPainter(scene, bed.heights, bed.nodata, bed.cell_size)
+    return _core.BedPainter(scene, bed.heights, bed.nodata, bed.cell_size, drape)
 
 
 class Painter:

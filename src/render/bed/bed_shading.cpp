@@ -17,7 +17,9 @@ namespace {
 constexpr int enough_texels = 1024;  // along the longer side of the shaded bed, if it is small
 // Of ground under water: to a pixel at most so many, along the longer side, and in what is seen.
 constexpr double finest_shown = 1.0;
+constexpr double finest_shown_of_drape = 2.0;  // whose lettering is to stay as sharp as it is
 constexpr double most_texels_across = 4096;
+constexpr double most_drape_texels_seen = 8e6;
 constexpr double most_texels_seen = 2e6;
 constexpr int coarsest_mip_level_read =
     3;  // mipmap: at an edge the samples' places are no neighbours
@@ -179,12 +181,13 @@ glm::vec3 floor_coordinates(const Field<float>& values, std::pair<double, double
 
 BedShading::BedShading(const View& view, const Block& block, const Snapshot& first,
                        const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed,
-                       const gl::MipmapMaker& mipmaps, PixelFormat kind)
+                       const gl::MipmapMaker& mipmaps, PixelFormat kind,
+                       const glm::dvec2& bed_share)
     : view_(view),
       block_(block),
       refinement_(first_bed.z.nx() / first.bed.nx()),
       mipmaps_(mipmaps),
-      shaded_mipmaps_(view.look.ground == Ground::endless ||
+      shaded_mipmaps_(view.look.ground == Ground::endless || view.drape ||
                       longer_shaded_side(first_bed, samples_across) >
                           texels_per_sample * samples_across),
       by_pixels_(shades_water_by_pixel(view, first)),
@@ -207,6 +210,7 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
     if (draws_water(view.look, first))
         water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny(), refinement_,
                        by_pixels_ ? &mipmaps : nullptr);
+    if (view.drape) drape_.emplace(*view.drape, view.look, bed_share);
 }
 
 void BedShading::draw_noise() {
@@ -285,7 +289,7 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first, const R
     upload_marks(snapshot, origin);
 }
 
-void BedShading::bind(const gl::Program& program) const {
+void BedShading::bind(const gl::Program& program, const glm::dvec2& texel) const {
     lighting_.bind(0);
     values_.bind(1);
     palette_.bind(2);
@@ -313,23 +317,33 @@ void BedShading::bind(const gl::Program& program) const {
     program.set("rock", static_cast<float>(block_.rock));
     program.set("floor_values", floor_coordinates_);
     set_sand(program, view_.look);
+    if (drape_) drape_->bind(program, texel, noise_origin_);
 }
 
 void BedShading::bind_all(const gl::Program& program, const Light& light, const Camera& camera,
                           double texel) const {
-    bind(program);
+    bind(program, texel / glm::dvec2(block_.width_x, block_.width_y));
     set_light(program, view_, light, camera, block_);
     if (water_) water_->set_uniforms(program, 6, camera, texel);
 }
 
-/// Of ground under water, which has detail below the grid: as fine as the picture shows it.
+bool BedShading::sized_by_view() const {
+    return water_ || (drape_ && view_.look.ground != Ground::endless);
+}
+
+/// Of ground under water or a drape, which have detail below the grid: as fine as the picture shows
+/// it, of a drape alone as fine as that is.
 void BedShading::size_for(const VisiblePart& part) {
     const glm::dvec2 seen = glm::max(part.high - part.low, glm::dvec2(0.0));
+    const double finest = drape_ ? finest_shown_of_drape : finest_shown;
+    const double most_seen = drape_ ? most_drape_texels_seen : most_texels_seen;
+    const glm::ivec2 own = drape_ && !water_ ? 4 * drape_->size() : glm::ivec2(0);
     const auto fits = [&](int doubled) {
         const glm::ivec2 size = target_size_ * doubled;
         const double longer = std::max(size.x, size.y);
-        return longer <= most_texels_across && longer <= finest_shown * part.sharpness &&
-               seen.x * seen.y * size.x * size.y <= most_texels_seen;
+        const bool finer = drape_ && !water_ && size.x >= own.x && size.y >= own.y;
+        return longer <= most_texels_across && longer <= finest * part.sharpness && !finer &&
+               seen.x * seen.y * size.x * size.y <= most_seen;
     };
     int factor = 1;
     while (fits(2 * factor)) factor *= 2;
@@ -347,7 +361,7 @@ void BedShading::shade(const Light& light, const Camera& camera) {
     }
     const gl::Functions& gl = gl::functions();
     VisiblePart part;
-    if (water_) {
+    if (sized_by_view()) {
         part = visible_part(camera, view_, block_);
         size_for(part);
     }
@@ -355,7 +369,7 @@ void BedShading::shade(const Light& light, const Camera& camera) {
     gl.Disable(GL_DEPTH_TEST);
     program_.use();
     bind_all(program_, light, camera, block_.width_x / target_->width());
-    if (water_) {
+    if (sized_by_view()) {
         const glm::dvec2 size(target_->width(), target_->height());
         const glm::ivec2 low = glm::ivec2(glm::floor(part.low * size)) - border_texels;
         const glm::ivec2 high = glm::ivec2(glm::ceil(part.high * size)) + border_texels;

@@ -9,6 +9,7 @@
 #include "gl/mipmaps.h"
 #include "gl/program.h"
 #include "gl/texture.h"
+#include "render/bed/drape_texture.h"
 #include "render/bed/water_shading.h"
 #include "render/colour/colouring.h"
 #include "render/colour/pixel_format.h"
@@ -29,10 +30,12 @@ namespace fumon {
 class BedShading {
   public:
     /// `samples_across` is the length of the picture's longer side in samples. `mipmaps` outlives
-    /// it. Throws InputError for an unknown palette.
+    /// it. `bed_share`: of the ground's tile, that the bed covers eastward and northward. Throws
+    /// InputError for an unknown palette.
     BedShading(const View& view, const Block& block, const Snapshot& first,
                const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed,
-               const gl::MipmapMaker& mipmaps, PixelFormat kind = PixelFormat::display_8);
+               const gl::MipmapMaker& mipmaps, PixelFormat kind = PixelFormat::display_8,
+               const glm::dvec2& bed_share = glm::dvec2(1.0));
 
     /// Uploads what light (see lighting_texels) and colouring make of a snapshot. `water` is given
     /// where draws_water says so.
@@ -45,9 +48,10 @@ class BedShading {
     /// Shades what was uploaded, unless that is left to WaterPixels.
     void shade(const Light& light, const Camera& camera);
 
-    /// Binds what was uploaded to the units 0 to 4 and sets the uniforms of shaders/bed/bed.glsl
-    /// and shaders/bed/ground.glsl, of the program in use.
-    void bind(const gl::Program& program) const;
+    /// Binds what was uploaded to the units 0 to 4, and a drape, and sets the uniforms of
+    /// shaders/bed/bed.glsl, shaders/bed/ground.glsl and shaders/bed/drape.glsl, of the program in
+    /// use. `texel`: of what is shaded, of the bed's sides; 0 where that is pixels.
+    void bind(const gl::Program& program, const glm::dvec2& texel = glm::dvec2(0.0)) const;
     /// The same, the light of a view and, where there is water, its textures to the units 6 to 10.
     /// `texel`: see WaterShading::set_uniforms().
     void bind_all(const gl::Program& program, const Light& light, const Camera& camera,
@@ -70,6 +74,8 @@ class BedShading {
 
   private:
     void draw_noise();
+    /// Whether the shaded bed is as fine as what is seen of it asks for.
+    [[nodiscard]] bool sized_by_view() const;
     void size_for(const VisiblePart& part);
     Field<float> ranged_values(const Snapshot& snapshot, const Snapshot& first);
     void upload_marks(const Snapshot& snapshot, const DrawnOrigin& origin);
@@ -92,6 +98,7 @@ class BedShading {
     gl::Texture2D uncoloured_;
     std::optional<gl::RenderTarget> noise_;  // of the ground's colour; none for a figure
     std::optional<WaterShading> water_;
+    std::optional<DrapeTexture> drape_;
     gl::TextureLayout target_layout_;
     glm::ivec2 target_size_;  ///< at least
     std::optional<gl::RenderTarget> target_;

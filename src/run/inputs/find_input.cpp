@@ -66,8 +66,11 @@ std::shared_ptr<const std::vector<std::string>> hashes_of(const std::vector<Inpu
 void find_inputs(Scene& scene, const std::vector<InputFile>& inputs, const fs::path& place,
                  std::string_view what) {
     const std::vector<InputKey> keys = input_keys(scene);
-    for (std::size_t k = 0; k < keys.size() && k < inputs.size(); ++k)
-        *keys[k].file = find_input(inputs[k], place, what).string();
+    for (std::size_t k = 0; k < keys.size() && k < inputs.size(); ++k) {
+        const bool another =
+            keys[k].path == "look.drape" && scene.set_on_command_line("look.drape");
+        if (!another) *keys[k].file = find_input(inputs[k], place, what).string();
+    }
 }
 
 }  // namespace fumon

@@ -181,6 +181,21 @@ void list_water_keys(LookSettings& look, KeyTable& table) {
         {.range = {0, 1}, .help = "turbidity of the water: 0 clear and blue-green, 1 muddy"});
 }
 
+void list_drape_keys(LookSettings& look, KeyTable& table) {
+    table.text(
+        "look.drape", look.drape,
+        {.help = "a map or photograph laid over the bed: PNG, JPEG, WebP, GeoTIFF or another "
+                 "picture that GDAL reads, by its georeference (world file, GeoTIFF) in any "
+                 "reference system, else fitted to the bed; empty: none"});
+    table.real("look.drape_strength", look.drape_strength,
+               {.range = {0, 1}, .help = "how far the drape hides the ground's own colour"});
+    table.choice(
+        "look.drape_light", look.drape_light,
+        {{DrapeLight::relit, "relit", "its colours are the ground's, under the scene's light"},
+         {DrapeLight::as_it_is, "as-it-is", "as the picture is, without light, shade and shadow"}},
+        {.help = "light of the drape"});
+}
+
 void list_marking_keys(LookSettings& look, KeyTable& table) {
     table.boolean("look.air", look.air,
                   {.help = "draw the air over a profile, where the model has some (scenic)"});
@@ -235,6 +250,7 @@ void list_look_keys(LookSettings& look, KeyTable& table) {
                {.range = {0, 1}, .help = "hill shading of a figure; 0: the colours alone"});
     list_water_keys(look, table);
     list_marking_keys(look, table);
+    list_drape_keys(look, table);
 }
 
 }  // namespace fumon

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "keys/word_or_real.h"
 #include "scene/figure/figure_settings.h"
+#include "scene/view/drape.h"
 
 namespace fumon {
 
@@ -86,6 +88,7 @@ enum class SandKind { quartz, iron_red, gypsum, carbonate, basalt, martian };
 enum class FigureRelief { soft, clear };
 enum class ColourSpan { run, frame };
 enum class Datum { automatic, first, mean };
+enum class DrapeLight { relit, as_it_is };
 
 struct LookSettings {
     std::string preset;  ///< a look whose values stand for defaults; empty once a scene is read
@@ -122,8 +125,11 @@ struct LookSettings {
     bool air = true;  ///< draw the air over a profile, where the model has some
     Marking mark = Marking::none;
     RockSurface rock = RockSurface::weathered;  ///< where marked ground is rock
-    std::int64_t profile_start = 0;             ///< of a single row: the first site shown
-    std::int64_t profile_sites = 0;             ///< and how many; 0: 900 or all
+    std::string drape;            ///< a picture laid over the bed: a file; empty: none
+    double drape_strength = 1.0;  ///< how far it hides the ground, 0 … 1
+    DrapeLight drape_light = DrapeLight::relit;
+    std::int64_t profile_start = 0;  ///< of a single row: the first site shown
+    std::int64_t profile_sites = 0;  ///< and how many; 0: 900 or all
 
     [[nodiscard]] bool draws_contours() const { return contours.word != "none"; }
 };
@@ -190,6 +196,7 @@ struct View {
     std::vector<PersonSettings> persons;
     std::vector<TrackSettings> tracks;
     StreamerSettings streamers;
+    std::shared_ptr<const Drape> drape{};  ///< of look.drape, once it is read; null: none
 };
 
 }  // namespace fumon

@@ -149,6 +149,33 @@ TEST(MapPanel, AveragesCellsThatAreTooMany) {
     EXPECT_EQ(pixel_at(image, 2, 0), colour_of(picture.colours, 22.0));
 }
 
+TEST(MapPanel, ShowsABackgroundWhereCellsHaveNoValue) {
+    MapPicture picture;
+    picture.values = Grid(3, 2, 0.7);
+    picture.blank = Mask(3, 2);
+    picture.blank(2, 0) = 1;
+    picture.colours = {read_palette("batlow"), 0.0, 1.0, ""};
+    Drape drape{12, 8, {}};
+    for (int y = 0; y < drape.height; ++y) {
+        for (int x = 0; x < drape.width; ++x) {
+            const auto east = static_cast<std::uint8_t>(20 * x);
+            const auto north = static_cast<std::uint8_t>(30 * y);
+            drape.texels.insert(drape.texels.end(), {east, north, 9, 255});
+        }
+    }
+    picture.background = std::make_shared<const Drape>(drape);
+    const Image image = map_image(picture, {}, 100);
+    ASSERT_EQ(image.width, 12);
+    ASSERT_EQ(image.height, 8);
+    EXPECT_EQ(pixel_at(image, 7, 7), colour_of(picture.colours, 0.7));
+    EXPECT_EQ(pixel_at(image, 8, 7), (Pixel{160, 0, 9}));  // the blank cell's south-western pixel
+    EXPECT_EQ(pixel_at(image, 11, 4), (Pixel{220, 90, 9}));
+    EXPECT_EQ(pixel_at(image, 11, 3), colour_of(picture.colours, 0.7));
+    const Image coarse = map_image(picture, {}, 6);  // means of four
+    ASSERT_EQ(coarse.width, 6);
+    EXPECT_EQ(pixel_at(coarse, 4, 3), (Pixel{170, 15, 9}));
+}
+
 TEST(HillLight, DarkensSlopesThatTurnAwayFromTheSunAndNoLevelGround) {
     WorkerPool pool(2);
     Snapshot snapshot;
