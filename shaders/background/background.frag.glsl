@@ -38,7 +38,7 @@ vec3 plain(vec3 point, vec3 view) {
     vec2 light_shares = texture(floor_map, 0.5 * at + 0.5).rg;
     float beyond = smoothstep(0.8, 1.0, max(abs(at.x), abs(at.y)));
     light_shares = mix(light_shares, vec2(1.0), beyond);
-    vec3 albedo = vec3(0.80, 0.675, 0.515) * (1.0 + 0.025 * value_noise(point.xy * 2.1));
+    vec3 albedo = studio > 0.5 ? vec3(0.66, 0.657, 0.65) : vec3(0.80, 0.675, 0.515) * (1.0 + 0.025 * value_noise(point.xy * 2.1));
     vec3 light = albedo * (sun_light * max(to_sun.z, 0.0) * light_shares.x + sky_light * light_shares.y);
     // What the sky does not light near the block, the block's sunlit side does a little.
     light += albedo * albedo * 0.08 * sun_light * (1.0 - light_shares.y);

@@ -1,6 +1,7 @@
 // Bare ground below the grid, where water shapes it: crumbs and clods, rills down steep slopes, layers in cut walls, stones
 // that the water leaves behind. It is looks: nothing of it is computed by the model, it moves no water and no light of its
 // own casts shadow, and it stands where the bed is, whatever the time. Needs common/light.glsl, bed/bed.glsl before it.
+uniform float strata;          // 1: layers in cut walls, and stones
 uniform sampler2D streak_map;  // seamless: noise, and its slopes east and north around ½
 uniform sampler2D rill_map;    // the same for rills, a mix of two wavelengths
 uniform float cell;            // of the bed's grid, block lengths
@@ -81,6 +82,9 @@ Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
         soil.height += flutes * 0.5 * sum.x;
     }
     soil.cut = smoothstep(0.45, 1.0, steep + 0.10 * lumps.x);
+    soil.layers = 0.0;
+    soil.stone = 0.0;
+    if (strata < 0.5) return soil;
     // Laid down level once: they follow the height, a little uneven along it.
     vec2 along = vec2(0.06 * (world.x - 0.7 * world.y), world_point.z + 0.05 * cell * (clods.x + lumps.x));
     vec3 thick = shown_noise(along, 0.75 * cell, width);

@@ -32,7 +32,7 @@ vec3 mirrored_light(vec3 mirrored, vec3 albedo, BedPoint point) {
     float bank = 1.0 - point.sky;  // about the sine of their height
     float hidden = 1.0 - smoothstep(0.5 * bank, 1.5 * bank + 0.02, mirrored.z);
     vec3 banks = albedo * (0.30 * sun_light * max(to_sun.z, 0.0) + 0.45 * sky_light);
-    return mix(sky(normalize(mirrored)), banks, hidden * smoothstep(0.02, 0.10, bank));
+    return mix(studio > 0.5 ? studio_around(normalize(mirrored)) : sky(normalize(mirrored)), banks, hidden * smoothstep(0.02, 0.10, bank));
 }
 
 // The display colour of a place (0 … 1) that lies at `world_point`, and in alpha how much of the grain is seen. `width`: of

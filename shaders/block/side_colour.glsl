@@ -14,6 +14,7 @@ uniform float side_line;  // its width, block lengths
 uniform float upright;    // of a height, how much of it is seen
 uniform float rock;
 uniform float soil;  // 1: cut by a spade
+uniform float plaster;  // 1: plain
 uniform float watery;  // 1: of a bed with water
 uniform float clarity;  // depth of water at which the bed is half hidden, block lengths
 uniform vec2 height_range;  // of all grounds and surfaces
@@ -42,6 +43,12 @@ Layers layers_at(float along) {
     vec3 albedo = mix(vec3(0.54, 0.335, 0.175), vec3(0.74, 0.515, 0.30), clamp(tone, 0.0, 1.0));
     albedo = mix(albedo, mix(vec3(0.36, 0.215, 0.135), vec3(0.60, 0.43, 0.295), clamp(tone, 0.0, 1.0)), rock);
     return Layers(albedo, lamina);
+}
+
+// Smooth plaster, in the ground's tone.
+vec3 plaster_albedo() {
+    vec3 ground = mix(mix(sand_trough, sand_crest, 0.5), vec3(0.56, 0.40, 0.25), rock);
+    return mix(vec3(luminance(ground)), ground, 0.25) * 1.2;
 }
 
 // Across the nearest of eight directions to the face's, so that steps along a rim do not fold what is drawn on them.
@@ -82,7 +89,7 @@ vec3 water_cut(vec3 to_eye, float sun, float below_surface, float above_bed) {
     float grazing = (1.0 - facing) * (1.0 - facing);
     float fresnel = 0.03 + 0.97 * grazing * grazing * (1.0 - facing);
     vec3 mirrored = reflect(-to_eye, pane);
-    vec3 around = mirrored.z < 0.0 ? vec3(0.45, 0.38, 0.29) * down : sky(mirrored);
+    vec3 around = mirrored.z < 0.0 ? vec3(0.45, 0.38, 0.29) * down : studio > 0.5 ? studio_around(mirrored) : sky(mirrored);
     light = mix(light, around, fresnel);
     // Its edge leads light, and the bed's is dark where the two meet.
     float brim = exp(-below_surface * pixels * 0.7);
@@ -117,7 +124,10 @@ vec3 side_colour(vec3 point, vec2 heights) {
     vec3 albedo;
     float lamina = 0.0;
     float rim;
-    if (soil > 0.5) {
+    if (plaster > 0.5) {
+        albedo = plaster_albedo();
+        rim = 1.0;
+    } else if (soil > 0.5) {
         vec2 along = along_face();
         vec2 at = vec2(dot(cut_point.xy, along), cut_point.z);
         Cut cut = sand_cut(at, depth, watery, smoothstep(0.0, 0.01, surface - ground));
@@ -136,13 +146,13 @@ vec3 side_colour(vec3 point, vec2 heights) {
     }
     float sun = max(dot(normal, to_sun), 0.0);
     float above_ground = clamp((cut_point.z - base) / 0.10, 0.0, 1.0);
-    float open = 0.34 + 0.24 * above_ground;  // half the sky, less near the ground
-    vec3 bounce = 0.42 * (sun_light * max(to_sun.z, 0.15) + 0.5 * sky_light) * vec3(0.78, 0.62, 0.44) *
+    float open = (studio > 0.5 ? 0.40 : 0.34) + 0.24 * above_ground;  // half the sky, less near the ground
+    vec3 bounce = (studio > 0.5 ? 0.60 : 0.42) * (sun_light * max(to_sun.z, 0.15) + 0.5 * sky_light) * (studio > 0.5 ? vec3(0.66) : vec3(0.78, 0.62, 0.44)) *
                   (0.35 + 0.65 * max(0.5 + 0.5 * dot(normalize(to_sun.xy), outward), sun));
     vec3 light = albedo * rim * (sun_light * 0.85 * sun + sky_light * open * (1.0 + 0.7 * normal.z) + bounce * (1.0 - 0.7 * normal.z));
     if (cut_point.z > ground && surface > ground) {  // water, cut through
         float below = surface - cut_point.z;
-        if (soil > 0.5) {
+        if (soil > 0.5 || plaster > 0.5) {
             light = water_cut(to_eye, level_sun, below, cut_point.z - ground);
         } else {
             float up = below / (surface - ground);

@@ -9,6 +9,7 @@ uniform vec3 haze_colour;
 uniform vec3 glow_colour;
 uniform vec3 zenith_colour;
 uniform float atmosphere;   // 1: the sky is that of sky_map
+uniform float studio;       // 1: there is no sky, but a neutral table and the wall behind it
 uniform sampler2D sky_map;  // radiances times pi; see Light
 // How much more of it a slope gets; see Light::sky_lean.
 uniform vec3 sky_lean_x;

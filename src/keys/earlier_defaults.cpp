@@ -37,11 +37,13 @@ bool is_earlier_version(std::string_view one, std::string_view other) {
 
 void take_earlier_defaults(const KeyTable& table, std::string_view version) {
     for (const Key& key : table.keys()) {
-        const EarlierDefault& earlier = key.notes.earlier;
-        if (!is_earlier_version(version, earlier.until)) continue;
-        const auto holder = parse_toml_value(earlier.value);
-        if (!holder) throw std::logic_error("the earlier default of " + key.path + " is no TOML");
-        assign(key, *holder->get("value"), [&](const auto&) { return key.path; });
+        for (const EarlierDefault& earlier : {key.notes.earlier, key.notes.earliest}) {
+            if (!is_earlier_version(version, earlier.until)) continue;
+            const auto holder = parse_toml_value(earlier.value);
+            if (!holder)
+                throw std::logic_error("the earlier default of " + key.path + " is no TOML");
+            assign(key, *holder->get("value"), [&](const auto&) { return key.path; });
+        }
     }
 }
 

@@ -43,6 +43,7 @@ struct KeyNotes {
     std::string help{};     ///< one line
     bool required = false;  ///< has no default: a scene must say
     EarlierDefault earlier{};
+    EarlierDefault earliest{};  ///< of a default that has changed twice: the first one
 };
 
 /// A word that a key takes.

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "base/units.h"
 #include "gl/functions.h"
 #include "render/light/light.h"
+#include "render/light/view_light.h"
 #include "render/samples/visibility_buffer.h"
 #include "render/view/display_bed.h"
 #include "render/view/framing.h"
@@ -62,7 +64,7 @@ SampleRectangle samples_of(const TilePlan& plan) {
 
 FrameSetting::FrameSetting(const View& view_, const Snapshot& first_, std::int64_t last_step_,
                            const RenderLimits& limits, PixelFormat wanted_, WorkerPool& pool)
-    : view(with_chosen_ground(view_, first_)),
+    : view(with_chosen_light(with_chosen_ground(view_, first_))),
       first(shown_first(drawable(first_), view)),
       last_step(last_step_),
       wanted(wanted_),
@@ -96,7 +98,9 @@ bool FrameSetting::rasterises_in_buffer() const {
 FloorMap FrameSetting::floor(WorkerPool& pool) const {
     const bool has_floor = view.look.mode == ViewMode::scenic && !endless() && !open();
     if (!has_floor) return open_floor();
-    return floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool);
+    const bool studio = view.look.light == LightKind::studio;
+    return floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool,
+                     studio ? 0.5 * studio_lamp_width * degree : 0.0);
 }
 
 int FrameSetting::samples_across() const {

@@ -47,6 +47,33 @@ TEST(EarlierDefaultsTest, AKeyHasTheDefaultOfItsSceneVersion) {
     EXPECT_EQ(key.layers_of(""), 5);
 }
 
+TEST(EarlierDefaultsTest, ADefaultMayHaveChangedTwice) {
+    KeyTable table;
+    std::int64_t layers = 7;
+    table.integer("look.layers", layers, {.earlier = {"0.3.0", "5"}, .earliest = {"0.2.0", "3"}});
+    take_earlier_defaults(table, "0.3.0");
+    EXPECT_EQ(layers, 7);
+    take_earlier_defaults(table, "0.2.0");
+    EXPECT_EQ(layers, 5);
+    take_earlier_defaults(table, "0.1.0");
+    EXPECT_EQ(layers, 3);
+}
+
+TEST(EarlierDefaultsTest, BlocksOfOlderScenesStandInTheSun) {
+    const auto look_of = [](const char* version) {
+        Scene scene = default_scene("sand");
+        take_earlier_defaults(scene_keys(scene), version);
+        return scene.view.look;
+    };
+    EXPECT_EQ(look_of("").light, LightKind::automatic);
+    EXPECT_EQ(look_of("").sides, BlockSides::plain);
+    EXPECT_FALSE(look_of("").strata);
+    EXPECT_EQ(look_of("0.2.0").light, LightKind::sun);
+    EXPECT_EQ(look_of("0.2.0").sides, BlockSides::soil);
+    EXPECT_TRUE(look_of("0.2.0").strata);
+    EXPECT_EQ(look_of("0.1.0").sides, BlockSides::layers);
+}
+
 TEST(EarlierDefaultsTest, AllOfThemCanBeRead) {
     Scene scene = default_scene("sand");
     EXPECT_NO_THROW(take_earlier_defaults(scene_keys(scene), "0.0.0"));

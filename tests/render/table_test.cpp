@@ -11,10 +11,11 @@
 namespace fumon {
 namespace {
 
-/// A block on its table, in the light that views have by themselves.
+/// A block on its table under the sky.
 View block_view(double elevation) {
     View view = small_view(240, 180);
     view.look.ground = Ground::table;
+    view.look.light = LightKind::sun;
     view.camera.elevation = elevation;
     return view;
 }

@@ -8,6 +8,8 @@
 
 #include "render/colour/grain.h"
 #include "render/frame/view_uniforms.h"
+#include "render/ground/outline_rim.h"
+#include "render/view/bilinear_height.h"
 #include "render/view/framing.h"
 
 namespace fumon {
@@ -106,7 +108,8 @@ const TerrainLayer::SamplePrograms& TerrainLayer::by_sample() {
 
 void TerrainLayer::build(const DisplayBed& bed, int stride) {
     lattice_ = terrain_lattice(bed.z.nx(), bed.z.ny(), bed.nodata, stride);
-    rim_ = rim_faces(lattice_, bed.nodata);
+    moved_ = move_rim(lattice_, bed);
+    rim_ = rim_faces(lattice_, static_cast<float>(block_.width_x / block_.width_y));
     nodata_ = bed.nodata;
     stride_ = stride;
     const gl::Functions& gl = gl::functions();
@@ -142,6 +145,13 @@ void TerrainLayer::set_bed(const DisplayBed& bed, const Field<float>* water_dept
         surface_[i] = ground_[i];
         if (water_depth != nullptr) surface_[i] += water_depth->values()[at];
     }
+    for (const std::uint32_t vertex : moved_) {
+        const MeshPosition& at = lattice_.positions[vertex];
+        const glm::dvec2 share(at.east, at.north);
+        ground_[vertex] = bilinear_height(bed.z, share, false);
+        surface_[vertex] = ground_[vertex];
+        if (water_depth != nullptr) surface_[vertex] += bilinear_height(*water_depth, share, false);
+    }
     if (by_pixels_) {
         if (!grain_) grain_.emplace(grain_texture());
         const auto [lowest, highest] = std::minmax_element(surface_.begin(), surface_.end());
@@ -153,7 +163,7 @@ void TerrainLayer::set_bed(const DisplayBed& bed, const Field<float>* water_dept
     uploaded_ = false;
     strips_made_ = false;
     watery_ = water_depth != nullptr;
-    set_sides(mesh_.sides, bed);
+    set_sides(mesh_.sides);
     gl::functions().BindVertexArray(0);
 }
 
@@ -167,11 +177,9 @@ void TerrainLayer::upload_surface() {
     gl::functions().BindVertexArray(0);
 }
 
-void TerrainLayer::set_sides(const std::vector<SideFace>& borders, const DisplayBed& bed) {
+void TerrainLayer::set_sides(const std::vector<SideFace>& borders) {
     const auto base = static_cast<float>(block_.base);
-    const auto ground = [&](std::uint32_t vertex) {
-        return bed.z.values()[lattice_.cells[vertex]];
-    };
+    const auto ground = [&](std::uint32_t vertex) { return ground_[vertex]; };
     const auto lower = [&](std::uint32_t vertex) { return std::min(base, ground(vertex)); };
     std::vector<SideCorner> corners;
     corners.reserve(4 * (rim_.size() + borders.size()));

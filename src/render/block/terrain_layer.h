@@ -81,7 +81,7 @@ class TerrainLayer {
 
   private:
     void build(const DisplayBed& bed, int stride);
-    void set_sides(const std::vector<SideFace>& borders, const DisplayBed& bed);
+    void set_sides(const std::vector<SideFace>& borders);
     void set_transform(const gl::Program& program, const Camera& camera,
                        const TileSamples& tile) const;
     /// Of the bound array, `count` indices from the place `first` on.
@@ -130,6 +130,7 @@ class TerrainLayer {
     gl::DynamicBuffer side_corners_{GL_ARRAY_BUFFER};
     gl::DynamicBuffer side_triangles_{GL_ELEMENT_ARRAY_BUFFER};
     TerrainLattice lattice_;
+    std::vector<std::uint32_t> moved_;  // vertices of the lattice, to the outline
     std::vector<SideFace> rim_;
     TerrainMesher mesher_;
     std::vector<float> ground_;   // heights of the lattice's vertices, block lengths

@@ -17,7 +17,8 @@ SandColours sand_colours(const LookSettings& look) {
         case SandKind::martian:
             return {{0.330F, 0.190F, 0.118F}, {0.190F, 0.112F, 0.074F}};
     }
-    if (look.ground == Ground::endless) return {{0.615F, 0.436F, 0.262F}, {0.490F, 0.320F, 0.178F}};
+    if (look.ground == Ground::endless || look.light == LightKind::studio)
+        return {{0.615F, 0.436F, 0.262F}, {0.490F, 0.320F, 0.178F}};
     return {{0.800F, 0.500F, 0.235F}, {0.600F, 0.315F, 0.120F}};
 }
 

@@ -24,6 +24,7 @@ constexpr float bloom_of_moon = 2e-7F;
 
 Tone chosen_tone(const LookSettings& look, const Light& light) {
     if (look.tone != Tone::automatic && look.tone != Tone::automatic_0_2) return look.tone;
+    if (light.studio) return Tone::neutral;
     const bool punchy =
         look.ground == Ground::endless || (look.tone == Tone::automatic && light.atmosphere);
     return punchy ? Tone::agx_punchy : Tone::filmic;
@@ -118,6 +119,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
         {"dithered", switched(kind == PixelFormat::display_8)},
         {"punch", switched(tone == Tone::agx_punchy)},
         {"atmosphere", switched(light.atmosphere)},
+        {"studio", switched(light.studio)},
         {"parallel", switched(view.camera.projection != Projection::perspective)},
         {"natural", switched(view.look.colour_by == Colouring::natural)},
         {"marks", mark_number(view.look.mark)},
@@ -126,6 +128,9 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
         {"figure", switched(view.look.mode == ViewMode::figure)},
         {"clear", switched(view.look.relief == FigureRelief::clear)},
         {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
+        {"plaster", switched(view.look.sides == BlockSides::plain && scenic)},
+        {"strata", switched(view.look.strata)},
+        {"blue_green", switched(view.look.water_tint == WaterTint::blue_green)},
         {"plain", switched(block.tiles.plain)},
         {"varied", switched(tiles_are_warped(view, !block.tiles.plain))},
         {"clouds", cloud_number(view, light)},
@@ -165,6 +170,7 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
     program.set("glow_colour", light.glow);
     program.set("zenith_colour", light.zenith);
     program.set("atmosphere", light.atmosphere ? 1.0F : 0.0F);
+    program.set("studio", switched(light.studio));
     program.set("sky_lean_x", light.sky_lean[0]);
     program.set("sky_lean_xx", light.sky_lean[1]);
     program.set("sky_lean_t", light.sky_lean[2]);

@@ -14,7 +14,6 @@ constexpr double shortest_edge = 2.2;  // pixels: nothing is gained by finer tri
 constexpr double longest_edge = 24.0;  // pixels, of a square that becomes two triangles
 constexpr float largest_error = 0.5F;  // pixels between mesh and bed
 constexpr int largest_stride = 64;
-constexpr int rim_reach = 10;  // cells that a rim's smoothed direction looks around
 constexpr float always = std::numeric_limits<float>::infinity();
 
 /// The vertices along one axis: where they stand, 0 … 1, and which cell gives the height.
@@ -51,40 +50,6 @@ Mask drawn_quads(const Axis& east, const Axis& north, const Mask& nodata) {
         }
     }
     return drawn;
-}
-
-/// A side of a quad: the step to the neighbour beyond it and its two ends, counter-clockwise.
-struct QuadSide {
-    int step_x;
-    int step_y;
-    std::array<int, 2> from;
-    std::array<int, 2> to;
-};
-
-constexpr std::array<QuadSide, 4> quad_sides = {{{0, -1, {0, 0}, {1, 0}},
-                                                 {1, 0, {1, 0}, {1, 1}},
-                                                 {0, 1, {1, 1}, {0, 1}},
-                                                 {-1, 0, {0, 1}, {0, 0}}}};
-
-/// Which way the domain ends at a cell: away from the middle of the cells around that have data, so
-/// that the steps of a rim of square cells are shaded as one face. Keeps `flat` at straight
-/// borders.
-MeshPosition rim_direction(const Mask& nodata, int x, int y, MeshPosition flat) {
-    float east = 0.0F;
-    float north = 0.0F;
-    for (int v = y - rim_reach; v <= y + rim_reach; ++v) {
-        for (int u = x - rim_reach; u <= x + rim_reach; ++u) {
-            // Beyond the border the nearest cell is repeated.
-            const int cell_x = std::clamp(u, 0, nodata.nx() - 1);
-            const int cell_y = std::clamp(v, 0, nodata.ny() - 1);
-            if (nodata(cell_x, cell_y) == 0) continue;
-            east += static_cast<float>(u - x);
-            north += static_cast<float>(v - y);
-        }
-    }
-    const float length = std::sqrt(east * east + north * north);
-    if (length < 1.0F) return flat;
-    return {east / length, north / length};
 }
 
 /// A vertex by its place in the lattice.
@@ -276,37 +241,6 @@ int largest_square(double pixels_per_quad) {
     int square = 1;
     while (square < largest_stride && 2 * square * pixels_per_quad <= longest_edge) square *= 2;
     return square;
-}
-
-std::vector<SideFace> rim_faces(const TerrainLattice& lattice, const Mask& nodata) {
-    std::vector<SideFace> faces;
-    const Mask& drawn = lattice.drawn;
-    for (int j = 0; j < drawn.ny(); ++j) {
-        for (int i = 0; i < drawn.nx(); ++i) {
-            if (drawn(i, j) == 0) continue;
-            for (const QuadSide& side : quad_sides) {
-                const int x = i + side.step_x;
-                const int y = j + side.step_y;
-                if (x < 0 || y < 0 || x >= drawn.nx() || y >= drawn.ny()) continue;
-                if (drawn(x, y) != 0) continue;
-                const auto vertex = [&](const std::array<int, 2>& end) {
-                    return static_cast<std::uint32_t>(j + end[1]) *
-                               static_cast<std::uint32_t>(lattice.nx) +
-                           static_cast<std::uint32_t>(i + end[0]);
-                };
-                const auto direction = [&](std::uint32_t at) {
-                    const auto cell = static_cast<int>(lattice.cells[at]);
-                    return rim_direction(
-                        nodata, cell % nodata.nx(), cell / nodata.nx(),
-                        {static_cast<float>(side.step_x), static_cast<float>(side.step_y)});
-                };
-                const std::uint32_t from = vertex(side.from);
-                const std::uint32_t to = vertex(side.to);
-                faces.push_back({from, to, direction(from), direction(to)});
-            }
-        }
-    }
-    return faces;
 }
 
 TerrainMesh TerrainMesher::mesh(const TerrainLattice& lattice, std::span<const float> heights,

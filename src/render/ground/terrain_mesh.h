@@ -65,9 +65,6 @@ int lattice_stride(double pixels_per_cell);
 /// spans `pixels_per_quad`.
 int largest_square(double pixels_per_quad);
 
-/// The faces along the rims of cells without data, so that the block looks solid.
-std::vector<SideFace> rim_faces(const TerrainLattice& lattice, const Mask& nodata);
-
 /// Meshes a lattice with as few triangles as its heights (block lengths) allow: a vertex is left
 /// out where the middle of the edge in its place lies within `largest_error` pixels of it.
 /// A hierarchy of right-angled triangles without cracks (Evans, Kirkpatrick & Townsend 2001). The

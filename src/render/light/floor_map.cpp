@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/elementary.h"
 #include "base/rounding.h"
 #include "base/worker_pool.h"
 #include "render/light/sky_visibility.h"
@@ -160,6 +161,31 @@ Field<float> open_sky(const Field<float>& heights, const Field<std::uint8_t>& co
     return sum;
 }
 
+/// The share of a source that is as wide along the horizon, `half_width` radians to either side, as
+/// between its limbs: the mean over upright strips of its disc.
+Field<float> share_of_disc(const Field<float>& heights, float width, const SunDirection& source,
+                           double half_width) {
+    if (half_width == 0.0) return sun_visibility(heights, width, width, source);
+    constexpr std::array<double, 5> across = {-0.8, -0.4, 0.0, 0.4, 0.8};
+    Field<float> sum(n, n, 0.0F);
+    const auto middle = 0.5F * (source.lower_limb + source.upper_limb);
+    const auto half = 0.5F * (source.upper_limb - source.lower_limb);
+    float weights = 0.0F;
+    for (const double place : across) {
+        const auto tall = static_cast<float>(std::sqrt(1.0 - place * place));
+        const auto sine = static_cast<float>(elementary::sin(place * half_width));
+        const auto cosine = static_cast<float>(elementary::cos(place * half_width));
+        const SunDirection strip{cosine * source.east + sine * source.north,
+                                 cosine * source.north - sine * source.east, middle - tall * half,
+                                 middle + tall * half};
+        const Field<float> share = sun_visibility(heights, width, width, strip);
+        for (std::size_t i = 0; i < sum.size(); ++i) sum.values()[i] += tall * share.values()[i];
+        weights += tall;
+    }
+    for (float& share : sum.values()) share /= weights;
+    return sum;
+}
+
 /// Each cell averaged with its neighbours (1 2 1 both ways): the sweep's steps along straight walls
 /// do not show.
 Field<float> smoothed(const Field<float>& light) {
@@ -195,7 +221,7 @@ std::array<int, n> cells_of_bed(double width, int count) {
 }  // namespace
 
 FloorMap floor_map(const DisplayBed& bed, const Block& block, const SunDirection& sun,
-                   WorkerPool& pool) {
+                   WorkerPool& pool, double half_width) {
     Field<float> heights(n, n, 0.0F);
     Field<std::uint8_t> covered(n, n, 0);
     const std::array<int, n> columns = cells_of_bed(block.width_x, bed.z.nx());
@@ -215,7 +241,7 @@ FloorMap floor_map(const DisplayBed& bed, const Block& block, const SunDirection
     SunDirection soft = sun;
     soft.lower_limb = std::max(sun.lower_limb - softening, 0.5F * sun.lower_limb);
     soft.upper_limb += softening;
-    Field<float> sun_share = sun_visibility(heights, width, width, soft);
+    Field<float> sun_share = share_of_disc(heights, width, soft, half_width);
     const Reach reach = reach_of(covered);
     const Field<float> sky_share = open_sky(heights, covered, reach, width, pool);
     continue_under(sun_share, covered, reach);

@@ -19,8 +19,10 @@ struct FloorMap {
     std::vector<std::uint8_t> sun_and_sky;      ///< two bytes a cell, 0 … 255
 };
 
+/// `half_width`: of the source along the horizon to either side, radians; 0: shadows are soft away
+/// from it alone.
 FloorMap floor_map(const DisplayBed& bed, const Block& block, const SunDirection& sun,
-                   WorkerPool& pool);
+                   WorkerPool& pool, double half_width = 0.0);
 
 /// Of no block.
 FloorMap open_floor();

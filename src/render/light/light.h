@@ -24,6 +24,7 @@ struct Light {
     double metered = 1.0;       ///< the share of that exposure which a bright sky leaves
     float in_air = 1.0F;        ///< what things in the air get of `sun` and `sky`; 1 on the ground
     bool stars = false;
+    bool studio = false;      ///< of a lamp: around the block are table and wall, not land and sky
     bool atmosphere = false;  ///< the sky is that of the texels, not of the three colours
     /// How much more of the sky's light than of a uniform sky's a slope gets: with a normal whose
     /// part along the sun's azimuth is x and upward 1 − t, its products with x, x², t and t·x.
@@ -59,6 +60,13 @@ Light make_atmospheric_light(const SunSettings& settings, Planet planet = Planet
 /// the sky is three times as bright as at the horizon (Moon & Spencer 1942, the CIE's overcast
 /// sky).
 Light make_overcast_light(const SunSettings& settings);
+
+/// The light of a studio: a lamp in the sun's place, `studio_lamp_width` wide, which gives the
+/// table more than half of its light, and even light from all around; both without colour to the
+/// eye. Haze and zenith are those of a wall that the table passes into. settings.strength and
+/// sky_strength are factors of both.
+Light make_studio_light(const SunSettings& settings);
+inline constexpr double studio_lamp_width = 30.0;  ///< degrees
 
 /// To the sun, a unit vector: x east, y north, z up.
 glm::vec3 direction_to(const SunSettings& sun);

@@ -4,6 +4,18 @@ namespace fumon {
 
 namespace {
 
+bool asks_for_sky(const View& view) {
+    return view.look.sky != SkyModel::automatic || view.sun.source == LightSource::moon ||
+           !view.sun.place.empty() || view.air.planet != Planet::earth ||
+           view.air.clouds != Clouds::none;
+}
+
+bool is_in_studio(const View& view) {
+    if (view.look.mode != ViewMode::scenic || view.look.ground == Ground::endless) return false;
+    if (view.look.light == LightKind::automatic) return !asks_for_sky(view);
+    return view.look.light == LightKind::studio;
+}
+
 /// What clouds throw down beside their shadows, a share of the sunlight on level ground that grows
 /// with their cover.
 void add_light_from_clouds(Light& light, const AirSettings& air) {
@@ -14,7 +26,14 @@ void add_light_from_clouds(Light& light, const AirSettings& air) {
 
 }  // namespace
 
+View with_chosen_light(View view) {
+    view.look.light = is_in_studio(view) ? LightKind::studio : LightKind::sun;
+    if (view.look.light == LightKind::studio) view.sun.diameter = studio_lamp_width;
+    return view;
+}
+
 Light light_of_view(const View& view) {
+    if (view.look.light == LightKind::studio) return make_studio_light(view.sun);
     const bool auto_0_2 = view.look.ground == Ground::endless ||
                           view.sun.source == LightSource::moon ||
                           view.air.planet != Planet::earth || view.air.clouds != Clouds::none;

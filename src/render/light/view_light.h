@@ -8,6 +8,10 @@ namespace fumon {
 /// The light of a view, whose ground is chosen: of its sky.
 Light light_of_view(const View& view);
 
+/// The view, whose ground is chosen, with look.light chosen: the sun's or a studio's, in which
+/// the lamp stands in the sun's place and is so wide that sun.diameter is its own.
+View with_chosen_light(View view);
+
 /// The air that a view is seen through, whose ground is chosen: thin or desert.
 Aerosol chosen_aerosol(const View& view);
 

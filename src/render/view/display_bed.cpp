@@ -18,9 +18,11 @@ DisplayBed display_bed(const Snapshot& snapshot, const Block& block, int refinem
     std::transform(bed.values().begin(), bed.values().end(), z.values().begin(),
                    [&](double height) { return static_cast<float>(block.z(height)); });
     DisplayBed shown;
+    shown.refinement = refinement;
     if (!snapshot.nodata.empty()) {
         extrapolate_outward(z, snapshot.nodata, static_cast<float>(block.base));
-        shown.nodata = refined(snapshot.nodata, refinement);
+        shown.outline = mask_outline(snapshot.nodata);
+        shown.nodata = outside_of(shown.outline, bed.nx(), bed.ny(), refinement);
     }
     shown.z = refined(z, refinement);
     shown.dx = static_cast<float>(block.width_x * block.tiles.count() / shown.z.nx());

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include "base/grid.h"
 #include "render/view/block.h"
+#include "render/view/mask_outline.h"
 
 namespace fumon {
 
@@ -10,8 +13,10 @@ namespace fumon {
 struct DisplayBed {
     Field<float>
         z;        ///< block lengths; no-data cells next to others continue them, the rest lie low
-    Mask nodata;  ///< empty when nothing is left out
-    float dx = 1.0F;  ///< block lengths
+    Mask nodata;  ///< what lies outside the outline; empty when nothing is left out
+    std::vector<OutlineLoop> outline;  ///< of the cells with data, in cells of the snapshot
+    int refinement = 1;                ///< cells of this bed along a cell of the snapshot
+    float dx = 1.0F;                   ///< block lengths
     float dy = 1.0F;
 };
 

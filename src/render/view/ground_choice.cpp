@@ -10,6 +10,7 @@ namespace fumon {
 
 const char* endless_ground_obstacle(const View& view, const Snapshot& first) {
     if (view.look.mode != ViewMode::scenic) return "is for scenic views (look.mode)";
+    if (view.look.light == LightKind::studio) return "is for light from the sun (look.light)";
     if (view.camera.projection != Projection::perspective)
         return "is for the perspective camera (camera.projection)";
     if (first.bed.ny() < 2 || first.section) return "is for beds of more than one row";

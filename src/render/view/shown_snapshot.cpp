@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -132,6 +133,51 @@ Snapshot coarser(const Snapshot& snapshot, int k) {
     return shown;
 }
 
+/// (1 4 6 4 1)/16 of a line's numbers, those at its ends repeated.
+void smooth_line(const std::vector<double>& line, std::vector<double>& smoothed) {
+    const auto last = static_cast<std::ptrdiff_t>(line.size()) - 1;
+    const auto at = [&](std::ptrdiff_t i) {
+        return line[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))];
+    };
+    for (std::ptrdiff_t i = 0; i <= last; ++i)
+        smoothed[static_cast<std::size_t>(i)] =
+            (at(i - 2) + at(i + 2) + 4.0 * (at(i - 1) + at(i + 1)) + 6.0 * at(i)) / 16.0;
+}
+
+/// Twice over rows and columns, as a Gaussian of √2 cells.
+Grid smoothed_heights(Grid heights) {
+    constexpr int passes = 2;
+    const auto nx = static_cast<std::size_t>(heights.nx());
+    const auto ny = static_cast<std::size_t>(heights.ny());
+    std::vector<double> line;
+    std::vector<double> result;
+    for (int pass = 0; pass < passes; ++pass) {
+        result.resize(nx);
+        for (int y = 0; y < heights.ny(); ++y) {
+            const auto row = heights.row(y);
+            line.assign(row.begin(), row.end());
+            smooth_line(line, result);
+            std::ranges::copy(result, row.begin());
+        }
+        line.resize(ny);
+        result.resize(ny);
+        for (int x = 0; x < heights.nx(); ++x) {
+            for (int y = 0; y < heights.ny(); ++y)
+                line[static_cast<std::size_t>(y)] = heights(x, y);
+            smooth_line(line, result);
+            for (int y = 0; y < heights.ny(); ++y)
+                heights(x, y) = result[static_cast<std::size_t>(y)];
+        }
+    }
+    return heights;
+}
+
+/// Whether the steps of single cells are smoothed: not where colours tell heights or slopes.
+bool smooths_pile(const Snapshot& snapshot, const LookSettings& look) {
+    return snapshot.landform == Landform::pile && look.pile == PileSurface::smooth &&
+           look.mode == ViewMode::scenic && look.colour_by == Colouring::natural;
+}
+
 /// How many cells along each side become one.
 int cells_averaged(const Snapshot& snapshot, const View& view) {
     const int longer = std::max(snapshot.bed.nx(), snapshot.bed.ny());
@@ -161,7 +207,10 @@ std::optional<Snapshot> shown_snapshot(const Snapshot& snapshot, const View& vie
     if (ny == 1 && nx > 1) return as_strip(snapshot, view.look);
     const int k = cells_averaged(snapshot, view);
     if (k > 1) return coarser(snapshot, k);
-    return std::nullopt;
+    if (!smooths_pile(snapshot, view.look)) return std::nullopt;
+    Snapshot shown = snapshot;
+    shown.bed = smoothed_heights(std::move(shown.bed));
+    return shown;
 }
 
 }  // namespace fumon

@@ -78,6 +78,16 @@ void list_surroundings_keys(LookSettings& look, KeyTable& table) {
                    "white"}},
                  {.help = "what stands behind the block"});
     table.choice(
+        "look.light", look.light,
+        {{LightKind::automatic, "auto",
+          "studio around a block on its table, where the scene asks for no sky (look.sky, "
+          "sun.source, sun.place, air.planet, air.clouds); else sun"},
+         {LightKind::sun, "sun", "the sun or the moon, and the sky"},
+         {LightKind::studio, "studio",
+          "as a museum lights a model: a lamp 30 degrees wide in the sun's place, even light from "
+          "all around, a neutral table and wall; for scenic views of a block"}},
+        {.help = "what lights the ground", .earlier = {"0.3.0", "\"sun\""}});
+    table.choice(
         "look.sky", look.sky,
         {{SkyModel::automatic, "auto", "atmosphere"},
          {SkyModel::automatic_0_2, "auto-0.2",
@@ -119,11 +129,17 @@ void list_ground_keys(LookSettings& look, KeyTable& table) {
     table.boolean("look.block_sides", look.block_sides,
                   {.help = "draw the cut sides of the block"});
     table.choice("look.sides", look.sides,
-                 {{BlockSides::soil, "soil",
+                 {{BlockSides::plain, "plain", "plaster in the ground's tone"},
+                  {BlockSides::soil, "soil",
                    "as a spade cuts it: damp sand under a dry skin, earth with stones"},
                   {BlockSides::layers, "layers", "sets of cross-beds, as in a dune's trench"}},
                  {.help = "what the block's sides show in a scenic view",
-                  .earlier = {"0.2.0", "\"layers\""}});
+                  .earlier = {"0.3.0", "\"soil\""},
+                  .earliest = {"0.2.0", "\"layers\""}});
+    table.boolean("look.strata", look.strata,
+                  {.help = "layers in steep ground and stones on it, which no data hold: a look, "
+                           "for blocks with water",
+                   .earlier = {"0.3.0", "true"}});
     table.choice("look.sand", look.sand,
                  {{SandKind::quartz, "quartz", "golden, as most dunes are"},
                   {SandKind::iron_red, "iron-red", "coated with iron oxide: Namib, Simpson Desert"},
@@ -133,6 +149,13 @@ void list_ground_keys(LookSettings& look, KeyTable& table) {
                   {SandKind::martian, "mars", "basalt with a veil of red dust"}},
                  {.help = "colour of sand that is coloured \"natural\""});
     table.real("look.grain", look.grain, {.range = {0, 1}, .help = "visible grain of the sand"});
+    table.choice(
+        "look.pile", look.pile,
+        {{PileSurface::smooth, "smooth",
+          "steps and pits of single cells are smoothed, as in dry sand; only in scenic "
+          "views in natural colours, never in what is computed or measured"},
+         {PileSurface::cells, "cells", "the cells as they are"}},
+        {.help = "surface of piles of sand (model sandpile)", .earlier = {"0.3.0", "\"cells\""}});
     table.real("look.ripples", look.ripples,
                {.range = {0, 1},
                 .help = "steepness of the wind ripples, too fine for the grid, on endless ground"});
@@ -176,9 +199,12 @@ void list_water_keys(LookSettings& look, KeyTable& table) {
         "look.water_clarity", look.water_clarity,
         {{"auto", "from the frame's depths: ponds hide their ground, an even film does not"}},
         {.unit = "m", .range = {0, 1e6, true}, .help = "depth at which the bed is half hidden"});
-    table.real(
-        "look.turbidity", look.turbidity,
-        {.range = {0, 1}, .help = "turbidity of the water: 0 clear and blue-green, 1 muddy"});
+    table.choice("look.water_tint", look.water_tint,
+                 {{WaterTint::none, "none", "dark, as streams and ponds are"},
+                  {WaterTint::blue_green, "blue-green", "as a clear sea over pale sand"}},
+                 {.help = "colour of clear water", .earlier = {"0.3.0", "\"blue-green\""}});
+    table.real("look.turbidity", look.turbidity,
+               {.range = {0, 1}, .help = "turbidity of the water: 0 clear, 1 muddy"});
 }
 
 void list_drape_keys(LookSettings& look, KeyTable& table) {

@@ -83,7 +83,10 @@ enum class FarGround { varied, alike };
 enum class Background { surroundings, transparent };
 enum class SkyModel { automatic, automatic_0_2, two_colours, atmosphere, overcast };
 enum class Tone { automatic, automatic_0_2, filmic, agx, agx_punchy, neutral };
-enum class BlockSides { soil, layers };
+enum class WaterTint { none, blue_green };
+enum class PileSurface { smooth, cells };
+enum class LightKind { automatic, sun, studio };
+enum class BlockSides { plain, soil, layers };
 enum class SandKind { quartz, iron_red, gypsum, carbonate, basalt, martian };
 enum class FigureRelief { soft, clear };
 enum class ColourSpan { run, frame };
@@ -103,14 +106,17 @@ struct LookSettings {
     Ground ground = Ground::automatic;
     FarGround far_copies = FarGround::varied;
     Background background = Background::surroundings;
+    LightKind light = LightKind::automatic;
     SkyModel sky = SkyModel::automatic;
     Tone tone = Tone::automatic;
     double exposure = 0.0;  ///< stops
     WordOrReal contrast{"auto", 0.0};
     bool block_sides = true;
-    BlockSides sides = BlockSides::soil;
+    BlockSides sides = BlockSides::plain;
+    bool strata = false;  ///< layers and stones below the grid, on surfaces of real terrain
     SandKind sand = SandKind::quartz;
-    double grain = 0.5;                ///< visible texture of the sand, 0 … 1
+    double grain = 0.5;  ///< visible texture of the sand, 0 … 1
+    PileSurface pile = PileSurface::smooth;
     double ripples = 1.0;              ///< steepness of wind ripples on endless ground, 0 … 1
     double plants = 1.0;               ///< share of the plants that are drawn one by one, 0 … 1
     WordOrReal contours{"none", 0.0};  ///< metres (or model heights) between lines of equal height
@@ -121,8 +127,9 @@ struct LookSettings {
     double shading = 1.0;                      ///< hill shading of a figure, 0 … 1
     bool water = true;                         ///< draw the water, where the model has some
     WordOrReal water_clarity{"auto", 0.0};     ///< metres of water that hide half of the bed
-    double turbidity = 0.15;                   ///< 0 clear … 1 muddy
-    bool air = true;  ///< draw the air over a profile, where the model has some
+    WaterTint water_tint = WaterTint::none;
+    double turbidity = 0.15;  ///< 0 clear … 1 muddy
+    bool air = true;          ///< draw the air over a profile, where the model has some
     Marking mark = Marking::none;
     RockSurface rock = RockSurface::weathered;  ///< where marked ground is rock
     std::string drape;            ///< a picture laid over the bed: a file; empty: none

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "render/ground/outline_rim.h"
+
 namespace fumon {
 namespace {
 
@@ -178,8 +180,8 @@ TEST(TerrainMesh, AMaskedRimHasOneFaceForEachOpenSide) {
         for (const auto& [edge, count] : edges_of(mesh)) open += count == 1 ? 1U : 0U;
         EXPECT_EQ(open, mesh.sides.size() + 8U);
     }
-    EXPECT_EQ(rim_faces(holed, nodata).size(), 8U);
-    EXPECT_TRUE(rim_faces(whole, Mask()).empty());
+    EXPECT_EQ(rim_faces(holed, 1.0F).size(), 8U);
+    EXPECT_TRUE(rim_faces(whole, 1.0F).empty());
 }
 
 TEST(TerrainMesh, TheLatticeIsAsFineAsTheScreen) {
