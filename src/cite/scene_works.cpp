@@ -15,7 +15,7 @@ constexpr std::string_view finite_volume = "finite-volume";
 constexpr std::string_view cip = "cip";
 
 /// Rules of words: `value` is what a key has.
-constexpr std::array<CitingRule, 42> rules{{
+constexpr std::array<CitingRule, 45> rules{{
     {"terada_2024", "sand", "model.order", "\"synchronous\"", "synchronous hops"},
     {"sudo_2002", "sand", "model.order", "\"random-sequential\"", "random sequential hops"},
     {"sudo_2002", "sand", "model.creep", "\"every-cell\"", "creep"},
@@ -36,6 +36,9 @@ constexpr std::array<CitingRule, 42> rules{{
     {"baas_2002", "dunes", "model.plants", "\"fixed\"", "plants"},
     {"nield_baas_2008", "dunes", "model.plants", "\"grow\"", "plants that grow"},
     {"baas_2002", "dunes", "model.plants", "\"grow\"", "plants"},
+    {"raupach_1993", "dunes", "model.plant_shelter", "\"raupach\"", "plants that slow the wind"},
+    {"raupach_1993", "dunes", "model.plant_shelter", "\"okin\"", "plants that slow the wind"},
+    {"okin_2008", "dunes", "model.plant_shelter", "\"okin\"", "wind behind plants"},
     {"higashi_takamori_2003", "sandpile", "", "", "the model"},
     {"saeki_okamura_2007", "gully", "", "", "the model"},
     {"terada_2025", "airflow", "", "", "the model"},

@@ -9,6 +9,7 @@
 #include "base/cancellation.h"
 #include "base/worker_pool.h"
 #include "models/dunes/hop_spread.h"
+#include "models/dunes/plant_shelter.h"
 #include "models/dunes/plants.h"
 
 namespace fumon {
@@ -91,7 +92,7 @@ void ContinuousTransport::step(DuneBed& bed, const Wind& wind) {
         pool_.for_ranges(ground_.ny, [&](int begin, int end) {
             for (int y = begin; y < end; ++y) {
                 throw_if_cancelled();
-                if (last) drift_down(bed, wind.blowing.strength, y);
+                if (last) drift_down(bed, wind, y);
                 deposit(last ? after_ : bed.surface, bed, wind, y);
                 if (!last) std::ranges::fill(arrived_.row(y), 0);
             }
@@ -115,6 +116,8 @@ double ContinuousTransport::lift_factor(const Wind& wind, int x, int y) {
     } else if (wind.before_walls != nullptr) {
         factor *= std::abs((*wind.before_walls)(x, y));
     }
+    if (wind.sheltered != nullptr)
+        return PlantShelter::lifted_under(factor, (*wind.sheltered)(x, y), wind.blowing);
     if (wind.plants != nullptr) factor *= wind.plants->lifted(wind.plants->cover()(x, y));
     return factor;
 }
@@ -308,36 +311,37 @@ void ContinuousTransport::add_influx(DuneBed& bed, const BlowingWind& wind) {
 }
 
 /// What neighbours give one another, seen alike from both sides.
-void ContinuousTransport::drift_down(const DuneBed& bed, double strength, int y) {
+void ContinuousTransport::drift_down(const DuneBed& bed, const Wind& wind, int y) {
     const auto given = [](std::int64_t from, std::int64_t rock, std::int64_t to, double share) {
         const auto wanted = static_cast<std::int64_t>(share * static_cast<double>(from - to));
         return std::min(wanted, (from - rock) / 4);
     };
-    const auto got = [&](std::int64_t here, std::int64_t rock, std::int64_t there,
-                         std::int64_t rock_there, double share) {
-        return there > here ? given(there, rock_there, here, share)
-                            : -given(here, rock, there, share);
+    const auto drifting = [&](int x, int row) {
+        if (wind.sheltered == nullptr) return 1.0;
+        return PlantShelter::lifted_under(1.0, (*wind.sheltered)(x, row), wind.blowing);
     };
-    const double share_x = drift_x_ * strength;
-    const double share_y = drift_y_ * strength;
-    const int south = row(y - 1);
-    const int north = row(y + 1);
+    const double share_x = drift_x_ * wind.blowing.strength;
+    const double share_y = drift_y_ * wind.blowing.strength;
     const auto surface = bed.surface.row(y);
     const auto rock = bed.rock.row(y);
     for (int x = 0; x < ground_.nx; ++x) {
-        const auto here = static_cast<std::size_t>(x);
+        const std::int64_t here = surface[static_cast<std::size_t>(x)];
+        const std::int64_t rock_here = rock[static_cast<std::size_t>(x)];
+        const double from_here = drifting(x, y);
+        const auto got = [&](int from_x, int from_y, double share) -> std::int64_t {
+            const std::int64_t there = bed.surface(from_x, from_y);
+            return there > here ? given(there, bed.rock(from_x, from_y), here,
+                                        share * drifting(from_x, from_y))
+                                : -given(here, rock_here, there, share * from_here);
+        };
         std::int64_t change = 0;
         for (const int beside : {column(x - 1), column(x + 1)}) {
-            if (beside < 0) continue;
-            const auto there = static_cast<std::size_t>(beside);
-            change += got(surface[here], rock[here], surface[there], rock[there], share_x);
+            if (beside >= 0) change += got(beside, y, share_x);
         }
-        for (const int beside : {south, north}) {
-            if (beside < 0) continue;
-            change += got(surface[here], rock[here], bed.surface(x, beside), bed.rock(x, beside),
-                          share_y);
+        for (const int beside : {row(y - 1), row(y + 1)}) {
+            if (beside >= 0) change += got(x, beside, share_y);
         }
-        after_(x, y) = surface[here] + change;
+        after_(x, y) = here + change;
     }
 }
 

@@ -34,7 +34,8 @@ class WorkerPool;
 /// saturated drift over flat sand, and no more than a quarter of its sand. That diffusion, which
 /// stands for the deflection of grains on slopes, takes away what varies from cell to cell.
 ///
-/// Under plants less is lifted and more stays (see Plants). Where the wind before a wall is u of
+/// Under plants less is lifted and more stays (see Plants); where they slow the wind, as much less
+/// drifts down slopes as is lifted (see PlantShelter). Where the wind before a wall is u of
 /// what it would be (see WindwardWalls), |u| as much is lifted, hops reach u L, and of what arrives
 /// at least 1 − |u| stays. Where it also blows aside there, with v, hops reach √(u² + v²) L that
 /// way, f (1 − r) max(u, 0) + √(min(u, 0)² + v²) as much is lifted, since neither the linear shear
@@ -57,6 +58,7 @@ class ContinuousTransport {
         const Grid& shade;            ///< r
         const Grid* shear = nullptr;  ///< τ/τ0 − 1, of which the lift's factor is f = 1 + that
         const Plants* plants = nullptr;
+        const Grid* sheltered = nullptr;     ///< (u*s/u*)² by plants, which then lift by that
         const Grid* before_walls = nullptr;  ///< u
         const Grid* along_walls = nullptr;   ///< v, with u only
         const BentWind* bent = nullptr;      ///< which way hops go
@@ -84,7 +86,7 @@ class ContinuousTransport {
     void hop_all(DuneBed& bed, const Spread& spread, double reach_y);
     void add_influx(DuneBed& bed, const BlowingWind& wind);
     void deposit(FixedPointGrid& on, DuneBed& bed, const Wind& wind, int y);
-    void drift_down(const DuneBed& bed, double strength, int y);
+    void drift_down(const DuneBed& bed, const Wind& wind, int y);
 
     /// Where a cell number along an axis lies in the grid; −1 beyond an open edge.
     [[nodiscard]] int column(std::int64_t x) const {

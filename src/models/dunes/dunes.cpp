@@ -236,11 +236,14 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
     check_saturation(parameters, ground_);
     check_windward_bubbles(parameters);
     check_plants(parameters);
+    check_plant_shelter(parameters);
     check_ravines(parameters);
     sources_ = sources_of(parameters.features, ground_);
     if (parameters.plants != DunePlants::none) {
         plants_.emplace(parameters, ground_, bed_, setup.seed, pool_);
-        steepen_under_plants();
+        if (parameters.plant_shelter != DunePlantShelter::none)
+            shelter_.emplace(parameters, ground_, pool_);
+        take_plants();
     }
     if (parameters.avalanche_age) {
         slopes_.track_slid_cells();
@@ -269,8 +272,9 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
         walls_.emplace(ground_, tangent(parameters.wall_angle.value), parameters.wall_drift, pool_);
 }
 
-void Dunes::steepen_under_plants() {
+void Dunes::take_plants() {
     slopes_.set_moving_angles(plants_->angles());
+    if (shelter_) shelter_->set_plants(*plants_);
 }
 
 void Dunes::step() {
@@ -289,7 +293,7 @@ void Dunes::step() {
     }
     fill_sources();
     if (parameters_.avalanche_age) note_slides();
-    if (plants_ && plants_->grow(bed_, schedule_.time(steps_ + 1), steps_)) steepen_under_plants();
+    if (plants_ && plants_->grow(bed_, schedule_.time(steps_ + 1), steps_)) take_plants();
     ++steps_;
 }
 
@@ -351,19 +355,15 @@ void Dunes::fill_sources() {
 void Dunes::blow_continuously(const BlowingWind& wind) {
     ContinuousTransport::Wind over = wind_over_bed(wind);
     if (plants_) over.plants = &*plants_;
+    if (shelter_) {
+        shelter_->find(wind);
+        over.sheltered = &shelter_->stress();
+    }
     continuous_->step(bed_, over);
     if (rock_wear_) {
         rock_wear_->wear(bed_, wind, continuous_->landed(), continuous_->ended(),
                          plants_ ? &plants_->cover() : nullptr);
     }
-}
-
-std::string Dunes::plausibility_warning() const {
-    if (at_rest_) return {};
-    return fmt::format(
-        "avalanches had not come to rest after model.avalanche_passes = {} passes, so slopes "
-        "exceed model.repose_angle; raise model.avalanche_passes, or shorten model.time_step",
-        parameters_.avalanche_passes);
 }
 
 void Dunes::serialise(StateArchive& archive) {
@@ -378,7 +378,7 @@ void Dunes::serialise(StateArchive& archive) {
     if (rock_wear_) archive.count("rock_worn", bed_.worn);
     if (plants_) {
         plants_->serialise(archive);
-        steepen_under_plants();
+        take_plants();
     }
     if (parameters_.avalanche_age) {
         archive.values("slid_at", slid_at_.values());

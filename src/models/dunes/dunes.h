@@ -9,6 +9,7 @@
 #include "models/dunes/continuous_transport.h"
 #include "models/dunes/dune_bed.h"
 #include "models/dunes/dunes_parameters.h"
+#include "models/dunes/plant_shelter.h"
 #include "models/dunes/plants.h"
 #include "models/dunes/relief_shear.h"
 #include "models/dunes/rock_wear.h"
@@ -55,9 +56,10 @@ class Dunes : public Model {
 
     /// The bed, rock and sand; fields "sand", "rock", "moving_sand" (m), "wind_shadow" and
     /// "local_wind" (of the next step's wind), where relief bends it "wind_turn" (degrees), with
-    /// plants "cover", "grass" and "shrubs", if asked for "avalanche_age" (yr; of cells that never
-    /// slid, since the start); numbers "sand_volume", "sand_inflow", "sand_outflow" (m³) and
-    /// "avalanche_passes", with rock that is worn "rock_worn" (m³), with plants "plant_cover".
+    /// plants "cover", "grass" and "shrubs", where they slow the wind "plant_shelter", if asked for
+    /// "avalanche_age" (yr; of cells that never slid, since the start); numbers "sand_volume",
+    /// "sand_inflow", "sand_outflow" (m³) and "avalanche_passes", with rock that is worn
+    /// "rock_worn" (m³), with plants "plant_cover".
     [[nodiscard]] Snapshot snapshot() const override;
 
     /// Where avalanches of the last step did not come to rest.
@@ -79,7 +81,7 @@ class Dunes : public Model {
     void bend(const BlowingWind& wind) const;
     [[nodiscard]] Grid wind_turn() const;
     void fill_sources();
-    void steepen_under_plants();
+    void take_plants();
     void add_plants(Snapshot& snapshot) const;
     void note_slides();
     [[nodiscard]] Grid avalanche_age() const;
@@ -102,6 +104,7 @@ class Dunes : public Model {
     mutable std::optional<WindwardBubbles> bubbles_;
     mutable std::optional<WindwardWalls> walls_;
     std::optional<Plants> plants_;
+    mutable std::optional<PlantShelter> shelter_;
     std::optional<RockWear> rock_wear_;
     std::optional<ContinuousTransport> continuous_;
     std::optional<SlabTransport> slabs_;

@@ -121,6 +121,12 @@ void list_species(DuneSpecies& species, const std::string& name, const std::stri
                {.unit = "1/yr",
                 .range = {0, 1e3},
                 .help = "of the cover of " + plural + " at the third of these balances"});
+    table.real("model." + name + "_height", species.height,
+               {.unit = "m",
+                .range = {0, 50, true},
+                .help = "of " + plural +
+                        " where their cover is whole; in proportion to its root "
+                        "where it is less; of model.plant_shelter = \"okin\""});
 }
 
 void list_plant_keys(DunesParameters& dunes, KeyTable& table) {
@@ -154,6 +160,26 @@ void list_plant_keys(DunesParameters& dunes, KeyTable& table) {
                 .range = {5, 60},
                 .help = "model.repose_angle under a plant cover of 0.3 or more; in proportion "
                         "under less"});
+    table.choice(
+        "model.plant_shelter", dunes.plant_shelter,
+        {{DunePlantShelter::none, "none",
+          "plants do not slow the wind; model.cover_without_lift says what they hold"},
+         {DunePlantShelter::raupach, "raupach",
+          "among plants of cover p the stress on the sand is 1/(1 + model.plant_drag p) of the "
+          "wind's (Raupach et al. 1993)"},
+         {DunePlantShelter::okin, "okin",
+          "so, and behind plants of height h the friction velocity recovers as exp(-x/(c h)), c = "
+          "model.shelter_length (Okin 2008)"}},
+        {.help = "how plants slow the wind at the ground; of continuous transport"});
+    table.real("model.plant_drag", dunes.plant_drag,
+               {.range = {0, 1e3},
+                .help = "drag of plants over that of the ground, for a whole cover (Duran & Moore "
+                        "2013: 16); of model.plant_shelter"});
+    table.real("model.shelter_length", dunes.shelter_length,
+               {.unit = "plant heights",
+                .range = {0, 100, true},
+                .help = "behind a plant over which the lack of friction velocity falls by a factor "
+                        "e; of model.plant_shelter = \"okin\""});
 }
 
 void list_transport_keys(DunesParameters& dunes, KeyTable& table) {

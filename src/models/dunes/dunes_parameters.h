@@ -16,6 +16,7 @@ enum class DuneEdge { periodic, open };
 enum class DuneRock { level, bed };
 enum class SlabOrder { parallel, sequential };
 enum class DunePlants { none, fixed, grow };
+enum class DunePlantShelter { none, raupach, okin };
 enum class FeatureKind { rock, sand, source, clearing, grass, shrubs };
 enum class FeatureShape { block, cone, hill };
 
@@ -62,6 +63,7 @@ struct DuneSpecies {
     double share = 1.0;            ///< of the cells on which it grows at first
     std::vector<double> balances;  ///< m/yr: five, rising
     double growth = 0.0;           ///< at the third of them, 1/yr
+    double height = 0.0;           ///< m, of a whole cover
 };
 
 /// The parameters of the dune model, in metres and years.
@@ -119,13 +121,16 @@ struct DunesParameters {
     std::vector<DuneFeature> features;
 
     DunePlants plants = DunePlants::none;
-    DuneSpecies grass{0.0, 1.0, {-1.4, 0.2, 0.6, 2.0, 2.2}, 0.2};
-    DuneSpecies shrubs{0.0, 1.0, {-1.4, -0.65, 0.0, 0.2, 2.8}, 0.05};
+    DuneSpecies grass{0.0, 1.0, {-1.4, 0.2, 0.6, 2.0, 2.2}, 0.2, 0.45};
+    DuneSpecies shrubs{0.0, 1.0, {-1.4, -0.65, 0.0, 0.2, 2.8}, 0.05, 1.1};
     double plant_spread = 0.2;         ///< m/yr
     double plant_pioneers = 0.05;      ///< 1/(m² yr)
     double growth_period = 0.1;        ///< years
     double cover_without_lift = 0.5;   ///< at which no sand is lifted
     double plant_repose_angle = 45.0;  ///< degrees
+    DunePlantShelter plant_shelter = DunePlantShelter::none;
+    double plant_drag = 16.0;     ///< Γ
+    double shelter_length = 4.8;  ///< c, in heights of plants
 };
 
 /// Lists the keys model.* and wind.* bound to these parameters.

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <utility>
@@ -132,10 +135,27 @@ void Dunes::add_plants(Snapshot& snapshot) const {
     snapshot.fields.push_back({"cover", "plants of both species, 0 to 1", "1", plants_->cover()});
     snapshot.fields.push_back({"grass", "grass, 0 to 1", "1", plants_->grass()});
     snapshot.fields.push_back({"shrubs", "shrubs, 0 to 1", "1", plants_->shrubs()});
+    if (shelter_) {
+        shelter_->find(schedule_.at(steps_));
+        Grid slowed(ground_.nx, ground_.ny);
+        std::ranges::transform(shelter_->stress().values(), slowed.values().begin(),
+                               [](double stress) { return 1.0 - std::sqrt(stress); });
+        snapshot.fields.push_back({"plant_shelter",
+                                   "by how much plants slow the wind's friction velocity, 0 to 1",
+                                   "1", std::move(slowed)});
+    }
     const auto cover = plants_->cover().values();
     snapshot.numbers.push_back(
         {"plant_cover", "1",
          std::accumulate(cover.begin(), cover.end(), 0.0) / static_cast<double>(cover.size())});
+}
+
+std::string Dunes::plausibility_warning() const {
+    if (at_rest_) return {};
+    return fmt::format(
+        "avalanches had not come to rest after model.avalanche_passes = {} passes, so slopes "
+        "exceed model.repose_angle; raise model.avalanche_passes, or shorten model.time_step",
+        parameters_.avalanche_passes);
 }
 
 std::vector<StateField> Dunes::state() const {

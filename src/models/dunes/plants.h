@@ -32,7 +32,8 @@ class WorkerPool;
 ///
 /// Both species together, up to 1, are the cover that holds sand: where it is ρ, the wind lifts
 /// max(1 − ρ / ρ0, 0) of what it would, of sand that lands the share p + ρ (1 − p) stays, where p
-/// would, and sand comes to rest at an angle that grows to the plants' one at ρ = 0.3.
+/// would, and sand comes to rest at an angle that grows to the plants' one at ρ = 0.3. Where plants
+/// slow the wind, it lifts by that instead (see PlantShelter).
 class Plants {
   public:
     /// Throws KeyError for balances that do not rise.

@@ -39,6 +39,7 @@
 
 #include "base/cancellation.h"
 #include "base/worker_pool.h"
+#include "models/dunes/row_traversal.h"
 #include "models/dunes/shadow_vectors.h"
 
 namespace fumon {
@@ -65,7 +66,7 @@ struct LineSpan {
 /// Where stretches are columns of the grid, calls row(cell, y) for each cell across the wind at
 /// which one of their lines stands: y is its row of the grid, −1 past an open edge. And coming(y)
 /// for rows that it comes to soon.
-template <class RowTraversal, class Row, class Coming>
+template <class Row, class Coming>
 void for_each_row_of_columns(const RowTraversal& traversal, std::span<const LineSpan> line_spans,
                              int count, const Row& row, const Coming& coming) {
     const auto [first, last] = std::ranges::minmax(line_spans, {}, &LineSpan::cell);
@@ -84,7 +85,7 @@ void for_each_row_of_columns(const RowTraversal& traversal, std::span<const Line
 
 /// Calls piece(i, x, size) for the pieces of a stretch along a row of the grid, which goes on with
 /// the other side of a periodic one: its cells from i on stand at x, −1 past an open edge.
-template <class RowTraversal, class Piece>
+template <class Piece>
 void for_each_piece(const RowTraversal& traversal, const LineSpan& line_span, int count,
                     const Piece& piece) {
     const std::int64_t across = traversal.across;
@@ -101,7 +102,7 @@ void for_each_piece(const RowTraversal& traversal, const LineSpan& line_span, in
 }
 
 /// The ground under lines, metres; past an open edge that of the last cell.
-template <class RowTraversal, class Heights>
+template <class Heights>
 void gather_heights(const FixedPointGrid& surface, const RowTraversal& traversal,
                     std::span<const LineSpan> line_spans, int count, Heights& heights) {
     const auto edge_of = [&](std::int64_t cell) { return cell < 0 ? 0 : traversal.across - 1; };
@@ -141,7 +142,7 @@ void gather_heights(const FixedPointGrid& surface, const RowTraversal& traversal
 }
 
 /// Puts what was found between lines into their cells.
-template <class RowTraversal, class Found>
+template <class Found>
 void scatter_to_cells(const Found& found, const RowTraversal& traversal,
                       std::span<const LineSpan> line_spans, int count, Grid& grid) {
     if (!traversal.turned) {
@@ -184,36 +185,14 @@ WindShadow::WindShadow(const DuneGround& ground, WorkerPool& pool)
 
 void WindShadow::cast(const FixedPointGrid& surface, const BlowingWind& wind,
                       const ShadowTangents& tangents, Find find) {
-    const RowTraversal traversal = row_traversal_of(wind);
+    const RowTraversal traversal(ground_, wind);
     rows_before_ = traversal.periodic_along ? rows_of_reach(surface, traversal, tangents) : 0;
-    const int lines =
-        traversal.periodic_across
-            ? traversal.across
-            : traversal.across +
-                  static_cast<int>(std::ceil(std::abs(traversal.shift) * traversal.along)) + 3;
+    const int lines = traversal.lines();
     pool_.for_ranges(lines, [&](int begin, int end) {
         for (int first = begin; first < end; first += lines_at_once)
             follow_lines(surface, traversal, tangents, find, first,
                          std::min(first + lines_at_once, end));
     });
-}
-
-WindShadow::RowTraversal WindShadow::row_traversal_of(const BlowingWind& wind) const {
-    const double cells_x = wind.x / ground_.dx;
-    const double cells_y = wind.y / ground_.dy;
-    const bool turned = std::abs(cells_x) > std::abs(cells_y);
-    RowTraversal traversal;
-    traversal.turned = turned;
-    traversal.across = turned ? ground_.ny : ground_.nx;
-    traversal.along = turned ? ground_.nx : ground_.ny;
-    traversal.periodic_across = turned ? ground_.periodic_y : ground_.periodic_x;
-    traversal.periodic_along = turned ? ground_.periodic_x : ground_.periodic_y;
-    const double along = turned ? cells_x : cells_y;
-    const double across = turned ? cells_y : cells_x;
-    traversal.forward = along > 0.0;
-    traversal.shift = across / std::abs(along);
-    traversal.distance = 1.0 / std::abs(along);
-    return traversal;
 }
 
 int WindShadow::rows_of_reach(const FixedPointGrid& surface, const RowTraversal& traversal,
@@ -233,12 +212,7 @@ int WindShadow::rows_of_reach(const FixedPointGrid& surface, const RowTraversal&
 
 void WindShadow::follow_lines(const FixedPointGrid& surface, const RowTraversal& traversal,
                               const ShadowTangents& tangents, Find find, int first, int last) {
-    // Line l is at cell l + base + shift·n of row n; of those that come in from the sides base
-    // makes room. One line more lies beside the first cell.
-    const double base = traversal.periodic_across ? 0.0
-                        : traversal.shift > 0.0
-                            ? -std::ceil(traversal.shift * traversal.along) - 1.0
-                            : -1.0;
+    const double base = traversal.first_cell();
     const shadow_vectors::Fall fall{traversal.distance, tangents.soft * traversal.distance,
                                     tangents.full * traversal.distance};
     const int count = last - first + 1;
@@ -261,10 +235,8 @@ void WindShadow::follow_lines(const FixedPointGrid& surface, const RowTraversal&
         for (int n = begin; n < end; ++n) {
             const double at = base + traversal.shift * n;
             const double cell = std::floor(at);
-            const int going = ((n % traversal.along) + traversal.along) % traversal.along;
             rows[static_cast<std::size_t>(n - begin)] = {
-                traversal.forward ? going : traversal.along - 1 - going,
-                first - 1 + static_cast<std::int64_t>(cell), at - cell};
+                traversal.row(n), first - 1 + static_cast<std::int64_t>(cell), at - cell};
         }
         gather_heights(surface, traversal, line_spans, count + 1, heights);
         for (std::size_t k = 0; k < line_spans.size(); ++k) {

@@ -10,6 +10,7 @@
 namespace fumon {
 
 class WorkerPool;
+struct RowTraversal;
 
 /// The ground over which winds blow.
 struct DuneGround {
@@ -52,19 +53,6 @@ class WindShadow {
     [[nodiscard]] const Grid& envelope() const { return envelope_; }
 
   private:
-    /// The way of the lines over the grid, whose rows across the wind they meet one by one.
-    struct RowTraversal {
-        bool turned = false;  ///< the grid's columns are the rows across the wind
-        int across = 0;       ///< cells across
-        int along = 0;        ///< cells along
-        bool periodic_across = true;
-        bool periodic_along = true;
-        bool forward = true;    ///< toward larger numbers
-        double shift = 0.0;     ///< cells across for each cell along
-        double distance = 0.0;  ///< m for each cell along
-    };
-
-    [[nodiscard]] RowTraversal row_traversal_of(const BlowingWind& wind) const;
     /// Rows before the first from which a shadow can reach it.
     int rows_of_reach(const FixedPointGrid& surface, const RowTraversal& traversal,
                       const ShadowTangents& tangents);
