@@ -19,16 +19,23 @@ std::vector<std::string> gathered_columns(const Scene& scene, const Recording& r
     return recording.plots ? plotted_columns(scene) : std::vector<std::string>{};
 }
 
-MeasureSuite suite_for(const Scene& scene, const Snapshot& first) {
-    return MeasureSuite(measured_landform(first), first,
-                        {scene.output.channel_area, uses_metres(scene)});
+/// Where no table is written, what plots show is all that is measured.
+MeasureSuite suite_for(const Scene& scene, const Snapshot& first, const Recording& recording) {
+    MeasureChoice choice = recorded_measures(scene);
+    const bool tabulates = recording.files && scene.output.measurements;
+    if (!tabulates && recording.plots) choice.columns = plotted_columns(scene);
+    return MeasureSuite(measured_landform(first), first, choice);
 }
 
 }  // namespace
 
+MeasureChoice recorded_measures(const Scene& scene) {
+    return {scene.output.channel_area, uses_metres(scene), recorded_columns(scene)};
+}
+
 Recorder::Recorder(const Scene& scene, const Snapshot& first, Recording recording,
                    const std::optional<RecordPositions>& previous)
-    : suite_(suite_for(scene, first)),
+    : suite_(suite_for(scene, first, recording)),
       plotted_(gathered_columns(scene, recording), suite_.columns(), first) {
     const bool writes = recording.files.has_value();
     const bool tabulates = writes && scene.output.measurements;

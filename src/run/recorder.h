@@ -49,6 +49,9 @@ struct Recording {
     bool plots = false;                ///< frames are drawn: it gathers what plots over them show
 };
 
+/// What a run measures, row by row.
+MeasureChoice recorded_measures(const Scene& scene);
+
 /// Writes what a simulation leaves besides pictures and beds, as its scene asks:
 ///
 ///     measurements.csv   step, time and the measures of MeasureSuite; an empty cell where a
