@@ -1,8 +1,10 @@
 #include "measure/suite.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "base/snapshot_lookup.h"
 #include "measure/air/air_groups.h"
@@ -64,7 +66,13 @@ MeasuredValue in_world_units(const MeasuredValue& measured, const WorldScale& sc
 
 class MeasureSuite::Parts {
   public:
-    std::vector<MeasureGroup> groups;
+    struct Part {
+        std::string_view name;
+        MeasureGroup group;
+        std::vector<bool> wanted;  ///< of its columns
+        bool any_wanted = false;
+    };
+    std::vector<Part> parts;
     std::vector<MeasureColumn> measured;  ///< as the groups have them
     std::vector<MeasureColumn> columns;   ///< as they are told
     bool in_metres = false;
@@ -86,6 +94,7 @@ using MakeGroup = MeasureGroup (*)(const GroupRequest& request);
 
 /// A group and the landforms that have it.
 struct SuiteGroup {
+    std::string_view name;
     MakeGroup make;
     unsigned landforms;  ///< bits
 };
@@ -104,8 +113,9 @@ constexpr unsigned everywhere = on_beds_and_profiles | on_piles | on_water | of_
 /// Groups take what they need: nothing, the first snapshot, what measures share, the columns before
 /// theirs, or all.
 template <auto group>
-constexpr SuiteGroup entry(unsigned landforms) {
-    return {[](const GroupRequest& request) -> MeasureGroup {
+constexpr SuiteGroup entry(std::string_view name, unsigned landforms) {
+    return {name,
+            [](const GroupRequest& request) -> MeasureGroup {
                 if constexpr (std::is_invocable_v<decltype(group)>) {
                     return group();
                 } else if constexpr (std::is_invocable_v<decltype(group), const Snapshot&>) {
@@ -127,48 +137,60 @@ MeasureGroup chosen_network_group(const GroupRequest& request) {
     const bool of_land =
         request.landform == Landform::water || request.first.landform == Landform::terrain;
     if (!of_land || !(request.choice.channel_area > 0.0)) {
-        return {{}, [](const Snapshot&) { return std::vector<double>{}; }};
+        return {{},
+                [](const Snapshot&, const std::vector<bool>&) { return std::vector<double>{}; }};
     }
     return network_group(request.first, request.choice.channel_area);
 }
 
 /// Every group, in the order of its columns. A new group is a line here.
 constexpr std::array suite_groups{
-    entry<statistics_group>(everywhere),
-    entry<wave_group>(on_beds_and_profiles),
-    entry<celerity_group>(on_beds_and_profiles),
-    entry<slope_group>(on_beds_and_profiles),
-    entry<slip_face_group>(on_beds_and_profiles),
-    entry<crest_group>(on_beds),
-    entry<dune_group>(on_beds),
-    entry<isolated_dune_group>(on_beds),
-    entry<crest_direction_group>(on_beds),
-    entry<drift_group>(on_beds_and_profiles),
-    entry<pile_group>(on_piles),
-    entry<avalanche_group>(on_piles),
-    entry<channel_group>(on_water),
-    entry<water_relief_group>(on_water),
-    entry<water_flow_group>(on_water),
-    entry<chosen_network_group>(on_beds | on_water),
-    entry<stress_group>(of_air),
-    entry<air_group>(of_air),
-    entry<flight_group>(of_air),
-    entry<number_group>(on_beds_and_profiles | on_water | of_air),
+    entry<statistics_group>("statistics", everywhere),
+    entry<wave_group>("waves", on_beds_and_profiles),
+    entry<celerity_group>("migration", on_beds_and_profiles),
+    entry<slope_group>("slopes", on_beds_and_profiles),
+    entry<slip_face_group>("slip_faces", on_beds_and_profiles),
+    entry<crest_group>("crests", on_beds),
+    entry<dune_group>("dunes", on_beds),
+    entry<isolated_dune_group>("lone_dunes", on_beds),
+    entry<crest_direction_group>("crest_directions", on_beds),
+    entry<drift_group>("drift", on_beds_and_profiles),
+    entry<pile_group>("pile", on_piles),
+    entry<avalanche_group>("avalanche_sizes", on_piles),
+    entry<channel_group>("channels", on_water),
+    entry<water_relief_group>("relief", on_water),
+    entry<water_flow_group>("flow", on_water),
+    entry<chosen_network_group>("network", on_beds | on_water),
+    entry<stress_group>("stress", of_air),
+    entry<air_group>("air", of_air),
+    entry<flight_group>("flights", of_air),
+    entry<number_group>("numbers", on_beds_and_profiles | on_water | of_air),
 };
 
 }  // namespace
 
 MeasureSuite::MeasureSuite(Landform landform, const Snapshot& first, const MeasureChoice& choice)
     : parts_(std::make_unique<Parts>()) {
-    std::vector<MeasureColumn>& columns = parts_->measured;
+    const auto is_chosen = [&](std::string_view name) {
+        return std::ranges::find(choice.columns, name) != choice.columns.end();
+    };
+    std::vector<MeasureColumn> all;
     for (const SuiteGroup& group : suite_groups) {
         if ((group.landforms & bit(landform)) == 0) continue;
-        parts_->groups.push_back(group.make({landform, first, columns, choice, parts_->findings}));
-        const std::vector<MeasureColumn>& own = parts_->groups.back().columns;
-        columns.insert(columns.end(), own.begin(), own.end());
+        Parts::Part part{
+            group.name, group.make({landform, first, all, choice, parts_->findings}), {}};
+        const bool whole = choice.columns.empty() || is_chosen(group.name);
+        for (const MeasureColumn& column : part.group.columns) {
+            part.wanted.push_back(whole || is_chosen(column.name));
+            if (!part.wanted.back()) continue;
+            part.any_wanted = true;
+            parts_->measured.push_back(column);
+        }
+        all.insert(all.end(), part.group.columns.begin(), part.group.columns.end());
+        parts_->parts.push_back(std::move(part));
     }
     parts_->in_metres = choice.in_metres;
-    parts_->columns = columns;
+    parts_->columns = parts_->measured;
     if (!choice.in_metres) return;
     for (MeasureColumn& column : parts_->columns)
         column = in_world_units({column, 0.0}, first.scale).column;
@@ -180,15 +202,26 @@ const std::vector<MeasureColumn>& MeasureSuite::columns() const {
     return parts_->columns;
 }
 
+std::vector<std::string> MeasureSuite::names() const {
+    std::vector<std::string> names;
+    for (const Parts::Part& part : parts_->parts) {
+        if (!part.group.columns.empty()) names.emplace_back(part.name);
+    }
+    for (const Parts::Part& part : parts_->parts) {
+        for (const MeasureColumn& column : part.group.columns) names.push_back(column.name);
+    }
+    return names;
+}
+
 void MeasureSuite::note(std::span<const Avalanche> avalanches) {
-    for (const MeasureGroup& group : parts_->groups) {
-        if (group.note) group.note(avalanches);
+    for (const Parts::Part& part : parts_->parts) {
+        if (part.group.note) part.group.note(avalanches);
     }
 }
 
 void MeasureSuite::serialise(StateArchive& archive) {
-    for (const MeasureGroup& group : parts_->groups) {
-        if (group.serialise) group.serialise(archive);
+    for (const Parts::Part& part : parts_->parts) {
+        if (part.group.serialise) part.group.serialise(archive);
     }
 }
 
@@ -196,9 +229,12 @@ std::vector<double> MeasureSuite::row(const Snapshot& snapshot) {
     std::vector<double> values;
     values.reserve(parts_->columns.size());
     parts_->findings->begin(snapshot);
-    for (const MeasureGroup& group : parts_->groups) {
-        const std::vector<double> some = group.values(snapshot);
-        values.insert(values.end(), some.begin(), some.end());
+    for (const Parts::Part& part : parts_->parts) {
+        if (!part.any_wanted) continue;
+        const std::vector<double> some = part.group.values(snapshot, part.wanted);
+        for (std::size_t k = 0; k < some.size(); ++k) {
+            if (part.wanted[k]) values.push_back(some[k]);
+        }
     }
     if (!parts_->in_metres) return values;
     for (std::size_t k = 0; k < values.size(); ++k)

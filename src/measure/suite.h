@@ -37,6 +37,9 @@ struct MeasureChoice {
     /// Of a model that lives in metres, however large its cells are: lengths in metres, where
     /// others have sites and model heights.
     bool in_metres = false;
+    /// What is measured alone: names of columns, and of groups of columns (MeasureSuite::names).
+    /// Nothing else is computed. None: every column.
+    std::vector<std::string> columns{};
 };
 
 /// What a run measures, row by row. The landform decides the columns; rows may depend on earlier
@@ -55,6 +58,10 @@ class MeasureSuite {
 
     /// In the order of a row's values; step and time are not among them.
     [[nodiscard]] const std::vector<MeasureColumn>& columns() const;
+
+    /// What MeasureChoice::columns may name: the groups that have columns, and all columns, each
+    /// in order.
+    [[nodiscard]] std::vector<std::string> names() const;
 
     /// Records a step's avalanches, whether or not the step is measured.
     void note(std::span<const Avalanche> avalanches);

@@ -5,7 +5,6 @@
 #include "models/shared/state_hash.h"
 #include "python/signal_polling.h"
 #include "run/still.h"
-#include "scene/uses_metres.h"
 
 namespace fumon::python {
 
@@ -26,9 +25,7 @@ LiveRun::LiveRun(Scene scene, int threads, bool measures)
     const auto first = std::make_shared<const Snapshot>(prepared_->model->snapshot());
     prepared_->initial.bed = Grid();  // the model has its own
     if (measures)
-        suite_.emplace(
-            measured_landform(*first), *first,
-            MeasureChoice{prepared_->scene.output.channel_area, uses_metres(prepared_->scene)});
+        suite_.emplace(measured_landform(*first), *first, recorded_measures(prepared_->scene));
     drawer_ = std::make_shared<Drawer>(prepared_->scene, prepared_->initial.inputs, first);
     last_step_ = prepared_->scene.run.steps;
     note_ = prepared_->initial.note;

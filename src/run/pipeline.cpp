@@ -2,8 +2,9 @@
 //
 //                     +-> to_beds_ -> fumon-beds                                beds/
 //   fumon-simulate ---+
-//     model, recorder +-> to_draw_ -> fumon-render -+-> to_frames_ -> fumon-encode   frames/
-//                                       painter     +-> to_movie_ --> fumon-movie    movie.mp4
+//     model           +-> to_draw_ -> fumon-render -+-> to_frames_ -> fumon-encode   frames/
+//                     |                 painter     +-> to_movie_ --> fumon-movie    movie.mp4
+//                     +-> fumon-record, one snapshot at a time        measurements.csv …
 //
 // 1. Queues hold two items. A full one makes the stage before it wait, so memory does not grow with
 //    the number of frames, and nothing is dropped.
@@ -17,9 +18,8 @@
 //    kept only: what was made before it still reaches its files.
 // 6. A signal stops the simulation between two steps; frames under way are finished. A step that
 //    does not end in time is cancelled (base/cancellation.h), and there is no state then.
-// 7. A checkpoint waits until all that was sent is written (WrittenOutputs), so that it never
-// counts
-//    a frame that is not on disk. A resumed movie begins with the frames that are there.
+// 7. A checkpoint waits until all that was sent is written (Recorder, WrittenOutputs), so that it
+//    never counts a row or frame that is not on disk. A resumed movie begins with frames on disk.
 
 #include "run/pipeline.h"
 
@@ -149,7 +149,7 @@ class Pipeline {
         }
         outcome_.steps_done = model_.steps_done();
         outcome_.time = model_.time();
-        outcome_.timing.simulation_cpu = cpu_seconds_of_threads({"fumon-simulate"});
+        outcome_.timing.simulation_cpu = cpu_seconds_of_threads({"fumon-simulate", "fumon-record"});
         to_draw_.close();
         to_beds_.close();
         if (!recorder) return;

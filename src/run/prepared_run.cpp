@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <variant>
 #include <vector>
 
 #include "base/error.h"
+#include "base/nearest_name.h"
 #include "base/snapshots/ground_range.h"
 #include "drape/lay_drape.h"
 #include "figure/overlays/frame_overlays.h"
@@ -14,6 +16,7 @@
 #include "figure/words/chosen_words.h"
 #include "files/csv_table.h"
 #include "files/input_file.h"
+#include "measure/suite.h"
 #include "models/registry.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
@@ -176,7 +179,7 @@ bool asks_for_more(const Scene& scene) {
            look.mode == ViewMode::figure || scene.view.section != SectionSettings{} ||
            has_overlays(scene) || scene.output.world_files || scene.output.geotiff_frames ||
            scene.output.exr_frames || !scene.view.persons.empty() || !scene.view.tracks.empty() ||
-           scene.view.streamers.strength > 0.0;
+           scene.view.streamers.strength > 0.0 || !scene.output.columns.empty();
 }
 
 /// Checks the scene's palette, and puts names and tables that it refers to in their place.
@@ -239,10 +242,29 @@ PreparedScene prepare_scene(Scene scene, InitialBed initial) {
     return with_bed(std::move(scene), std::move(initial));
 }
 
+namespace {
+
+/// The names of output.columns, which a model's measures decide.
+void check_measured_columns(const Scene& scene, const Snapshot& first) {
+    if (scene.output.columns.empty()) return;
+    MeasureChoice all = recorded_measures(scene);
+    all.columns.clear();
+    const std::vector<std::string> known =
+        MeasureSuite(measured_landform(first), first, all).names();
+    for (const std::string& name : scene.output.columns) {
+        if (std::ranges::find(known, name) != known.end()) continue;
+        throw InputError(fmt::format(
+            "{}the measurements of {} have no column or group of columns \"{}\"; {}",
+            scene.at("output.columns"), scene.model.name, name, suggestion(name, known)));
+    }
+}
+
+}  // namespace
+
 void check_shown(const Scene& scene, const Snapshot& first) {
     Faults faults(scene.source);
-    for (const auto check :
-         {check_marking, check_colouring, check_section, check_overlays, check_persons_and_files})
+    for (const auto check : {check_marking, check_colouring, check_section, check_overlays,
+                             check_persons_and_files, check_measured_columns})
         faults.attempt([&] { check(scene, first); });
     faults.report();
 }

@@ -19,16 +19,23 @@ std::vector<std::string> gathered_columns(const Scene& scene, const Recording& r
     return recording.plots ? plotted_columns(scene) : std::vector<std::string>{};
 }
 
-MeasureSuite suite_for(const Scene& scene, const Snapshot& first) {
-    return MeasureSuite(measured_landform(first), first,
-                        {scene.output.channel_area, uses_metres(scene)});
+/// Where no table is written, what plots show is all that is measured.
+MeasureSuite suite_for(const Scene& scene, const Snapshot& first, const Recording& recording) {
+    MeasureChoice choice = recorded_measures(scene);
+    const bool tabulates = recording.files && scene.output.measurements;
+    if (!tabulates && recording.plots) choice.columns = plotted_columns(scene);
+    return MeasureSuite(measured_landform(first), first, choice);
 }
 
 }  // namespace
 
+MeasureChoice recorded_measures(const Scene& scene) {
+    return {scene.output.channel_area, uses_metres(scene), recorded_columns(scene)};
+}
+
 Recorder::Recorder(const Scene& scene, const Snapshot& first, Recording recording,
                    const std::optional<RecordPositions>& previous)
-    : suite_(suite_for(scene, first)),
+    : suite_(suite_for(scene, first, recording)),
       plotted_(gathered_columns(scene, recording), suite_.columns(), first) {
     const bool writes = recording.files.has_value();
     const bool tabulates = writes && scene.output.measurements;
@@ -60,17 +67,47 @@ bool Recorder::wants(std::int64_t step) const {
 }
 
 void Recorder::take(const SharedSnapshot& snapshot) {
-    if (measured_.due(snapshot->step)) measure(*snapshot);
-    if (fielded_.due(snapshot->step)) record_fields(*snapshot);
+    hand_over(snapshot);
 }
 
 void Recorder::after_step(const Model& model) {
+    constexpr std::size_t most_held = 4096;  // between two snapshots that are far apart
+    if (!measures_ && !lists_avalanches_) return;
     const std::span<const Avalanche> avalanches = model.avalanches();
+    avalanches_since_.insert(avalanches_since_.end(), avalanches.begin(), avalanches.end());
+    if (avalanches_since_.size() >= most_held) hand_over(nullptr);
+}
+
+void Recorder::hand_over(SharedSnapshot snapshot) {
+    if (!snapshot && avalanches_since_.empty()) return;
+    thread_.hand_over(
+        [this, avalanches = std::exchange(avalanches_since_, {}), snapshot = std::move(snapshot)] {
+            record(avalanches);
+            if (snapshot) record(*snapshot);
+        });
+}
+
+void Recorder::settle() {
+    hand_over(nullptr);
+    thread_.wait();
+}
+
+const MeasuredRows& Recorder::rows() {
+    if (!plotted_.rows().columns.empty()) settle();
+    return plotted_.rows();
+}
+
+void Recorder::record(std::span<const Avalanche> avalanches) {
     if (avalanches.empty()) return;
     if (measures_) suite_.note(avalanches);
     if (!lists_avalanches_) return;
     if (!avalanches_) avalanches_.emplace(paths_.avalanches);
     avalanches_->add(avalanches);
+}
+
+void Recorder::record(const Snapshot& snapshot) {
+    if (measured_.due(snapshot.step)) measure(snapshot);
+    if (fielded_.due(snapshot.step)) record_fields(snapshot);
 }
 
 void Recorder::measure(const Snapshot& snapshot) {
@@ -88,6 +125,7 @@ void Recorder::record_fields(const Snapshot& snapshot) {
 }
 
 RecordPositions Recorder::sync() {
+    settle();
     RecordPositions at;
     if (measurements_) at.measurements = measurements_->sync();
     if (avalanches_) at.avalanches = avalanches_->sync();
@@ -95,8 +133,19 @@ RecordPositions Recorder::sync() {
     return at;
 }
 
+void Recorder::serialise(StateArchive& archive) {
+    settle();
+    suite_.serialise(archive);
+    plotted_.serialise(archive);
+}
+
 void Recorder::commit() {
     std::exception_ptr first;
+    try {
+        settle();
+    } catch (...) {
+        first = std::current_exception();
+    }
     const auto commit_one = [&](auto& file, bool& written) {
         if (!file) return;
         try {

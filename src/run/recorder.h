@@ -3,14 +3,18 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "base/avalanche.h"
 #include "base/snapshot.h"
 #include "files/appended_file.h"
 #include "files/avalanche_table.h"
 #include "files/netcdf/netcdf_fields.h"
 #include "measure/measured_rows.h"
 #include "measure/suite.h"
+#include "run/job_thread.h"
 #include "run/stepper.h"
 #include "scene/scene.h"
 #include "scene/schedule.h"
@@ -45,6 +49,9 @@ struct Recording {
     bool plots = false;                ///< frames are drawn: it gathers what plots over them show
 };
 
+/// What a run measures, row by row.
+MeasureChoice recorded_measures(const Scene& scene);
+
 /// Writes what a simulation leaves besides pictures and beds, as its scene asks:
 ///
 ///     measurements.csv   step, time and the measures of MeasureSuite; an empty cell where a
@@ -54,6 +61,10 @@ struct Recording {
 ///
 /// It also gathers the measurements that plots over the frames show (overlays).
 /// The files get their names by commit(); without it they vanish with the recorder.
+///
+/// It measures and writes on a thread of its own while the next steps run, one snapshot at a time
+/// in the order of the steps: a step whose snapshot comes before the last one is measured waits.
+/// What fails there is thrown by the next call that says so, and nothing after it is recorded.
 class Recorder : public StepObserver {
   public:
     /// `first` is the run's first snapshot. With positions of a former run, goes on with its files.
@@ -64,30 +75,35 @@ class Recorder : public StepObserver {
     /// Whether a step's snapshot is to be recorded.
     [[nodiscard]] bool wants(std::int64_t step) const override;
 
-    /// Records a snapshot. Throws Error on a full disk or any failed write; the rows before stay
-    /// whole.
+    /// Has a snapshot recorded. Throws Error where an earlier one met a full disk or any failed
+    /// write; the rows before that stay whole.
     void take(const SharedSnapshot& snapshot) override;
 
     /// Takes the step's avalanches. Throws as take().
     void after_step(const Model& model) override;
 
-    /// The measurements so far that plots over the frames show.
-    [[nodiscard]] const MeasuredRows& rows() const { return plotted_.rows(); }
+    /// Waits until all that was taken is recorded. Throws as take().
+    void settle() override;
 
-    /// Puts all that was recorded on disk, and tells how far the files have come.
+    /// The measurements so far that plots over the frames show. Settles first where there are any.
+    [[nodiscard]] const MeasuredRows& rows();
+
+    /// Settles, puts all that was recorded on disk, and tells how far the files have come.
     [[nodiscard]] RecordPositions sync();
-    /// Saves or restores what later rows and plots need from earlier rows. Throws as StateArchive
-    /// does.
-    void serialise(StateArchive& archive) {
-        suite_.serialise(archive);
-        plotted_.serialise(archive);
-    }
+    /// Settles, and saves or restores what later rows and plots need from earlier rows. Throws as
+    /// StateArchive does.
+    void serialise(StateArchive& archive);
 
-    /// Gives every file its final name, even if one fails; then throws the first Error.
+    /// Records what was taken and gives every file its final name, even if one fails; then throws
+    /// the first Error.
     void commit();
     [[nodiscard]] const Recorded& recorded() const { return recorded_; }
 
   private:
+    /// Has the avalanches since the last call recorded, and a snapshot after them.
+    void hand_over(SharedSnapshot snapshot);
+    void record(std::span<const Avalanche> avalanches);
+    void record(const Snapshot& snapshot);
     void measure(const Snapshot& snapshot);
     void record_fields(const Snapshot& snapshot);
 
@@ -97,12 +113,17 @@ class Recorder : public StepObserver {
     Schedule fielded_;
     bool measures_ = false;
     bool lists_avalanches_ = false;
+    std::vector<Avalanche> avalanches_since_;  ///< the last ones that were handed over
+    Recorded recorded_;
+
+    // Of the thread while a job is under way.
     MeasureSuite suite_;
     RowGatherer plotted_;
     std::optional<AppendedFile> measurements_;
     std::optional<AvalancheFile> avalanches_;
     std::optional<FieldsFile> fields_;
-    Recorded recorded_;
+
+    JobThread thread_{"fumon-record"};  // last: joined before what it uses goes
 };
 
 }  // namespace fumon

@@ -92,6 +92,7 @@ Checkpointer::Checkpointer(const RunFolder& folder, const RunParts& parts,
 
 void Checkpointer::before_step(Model& model, bool interrupted) {
     if (!clock_.on() || !(interrupted || clock_.due())) return;
+    recorder_.settle();  // what fails there ends the run; a checkpoint that fails does not
     if (!written_.wait_for_all()) return;
     try {
         write(model);

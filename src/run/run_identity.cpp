@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "scene/input_maps.h"
+#include "scene/overlay_keys.h"
 #include "scene/scene_roles.h"
 #include "scene/write.h"
 
@@ -10,6 +11,7 @@ namespace fumon {
 
 Sha256 run_id(const Scene& scene, const InitialBed& initial) {
     Scene decisive = only_roles(scene, recorded_roles);
+    decisive.output.columns = recorded_columns(scene);
     name_inputs(decisive, initial.inputs, &InputFile::hash);
     const WorldScale& scale = initial.scale;
     return text_hash(to_toml(decisive) + fmt::format("{} {} {} {}", scale.dx, scale.dy,

@@ -17,12 +17,22 @@ Stepper::Stepper(Model& model, std::vector<StepObserver*> observers, bool presen
     : model_(model), observers_(std::move(observers)), present_taken_(present_taken) {}
 
 int Stepper::advance(const RunEnd& end) {
+    int signal = 0;
     try {
-        return advance_until(end);
+        signal = advance_until(end);
     } catch (const Cancelled&) {
         cancelled_ = true;
-        return interrupting_signal();
+        signal = interrupting_signal();
+    } catch (...) {
+        settle();
+        throw;
     }
+    settle();
+    return signal;
+}
+
+void Stepper::settle() {
+    for (StepObserver* observer : observers_) observer->settle();
 }
 
 int Stepper::advance_until(const RunEnd& end) {
@@ -36,9 +46,10 @@ int Stepper::advance_until(const RunEnd& end) {
         model_.step();
         seconds_ += watch.seconds();
         present_taken_ = false;
+        present_is_finite_ = false;
         for (StepObserver* observer : observers_) observer->after_step(model_);
     }
-    check_finite(model_.snapshot());
+    if (!std::exchange(present_is_finite_, true)) check_finite(model_.snapshot());
     return 0;
 }
 
@@ -50,6 +61,7 @@ void Stepper::publish_present_state() {
         if (!snapshot) {
             snapshot = std::make_shared<const Snapshot>(model_.snapshot());
             check_finite(*snapshot);
+            present_is_finite_ = true;
         }
         observer->take(snapshot);
     }

@@ -29,6 +29,9 @@ class StepObserver {
     virtual void before_step(Model& /*model*/, bool /*interrupted*/) {}
     /// Called after each step, before the snapshot of it is taken.
     virtual void after_step(const Model& /*model*/) {}
+    /// Called where no further step follows, also when one has failed: ends what it does while
+    /// steps run. What that throws happened before whatever ended the run.
+    virtual void settle() {}
 };
 
 /// Whether a run has come to its end, and makes no further step.
@@ -45,6 +48,8 @@ RunEnd at_step(std::int64_t last_step);
 ///     an interrupt, if there is one
 ///     the model's step
 ///     after_step()            and from the beginning
+///
+/// and at the end, however it came, settle().
 class Stepper {
   public:
     /// `present_taken`: a former run has taken the present state's snapshots.
@@ -65,10 +70,12 @@ class Stepper {
   private:
     int advance_until(const RunEnd& end);
     void publish_present_state();
+    void settle();
 
     Model& model_;
     std::vector<StepObserver*> observers_;
     bool present_taken_;
+    bool present_is_finite_ = false;
     double seconds_ = 0.0;
     bool cancelled_ = false;
 };

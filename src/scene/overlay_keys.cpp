@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -60,6 +61,15 @@ std::vector<std::string> plotted_columns(const Scene& scene) {
         if (!overlay.show || shown_by(overlay.kind) != OverlayShows::measurements) continue;
         names.push_back(overlay.x);
         names.push_back(overlay.y);
+    }
+    return names;
+}
+
+std::vector<std::string> recorded_columns(const Scene& scene) {
+    std::vector<std::string> names = scene.output.columns;
+    if (names.empty()) return names;
+    for (std::string& name : plotted_columns(scene)) {
+        if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
     }
     return names;
 }

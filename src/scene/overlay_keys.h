@@ -19,4 +19,8 @@ bool has_overlays(const Scene& scene);
 /// The columns of the measurements that the plots over a scene's frames show; none without plots.
 std::vector<std::string> plotted_columns(const Scene& scene);
 
+/// The columns, and groups of columns, that a scene's measurements have: those of output.columns
+/// and those that plots show. None: all.
+std::vector<std::string> recorded_columns(const Scene& scene);
+
 }  // namespace fumon

@@ -77,7 +77,8 @@ struct OutputSettings {
     double movie_rate = 30.0;         ///< frames per second
     std::int64_t movie_quality = 18;  ///< H.264 constant rate factor, 0 (lossless) … 51
     bool measurements = true;
-    std::int64_t measure_every = 0;  ///< steps between measurements; 0: with every frame
+    std::vector<std::string> columns;  ///< of them: columns and groups of a suite; none: all
+    std::int64_t measure_every = 0;    ///< steps between measurements; 0: with every frame
     double channel_area = 0.0;   ///< least drainage area of a measured channel, m²; 0: no network
     std::int64_t bed_every = 0;  ///< steps between written beds; 0: none
     std::vector<std::int64_t> bed_at;

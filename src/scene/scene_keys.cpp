@@ -216,6 +216,10 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
                   {.range = {0, 51}, .help = "H.264 rate factor: 18 looks lossless, 28 is small"});
     table.role(KeyRole::record);
     table.boolean("output.measurements", output.measurements, {.help = "write measurements.csv"});
+    table.text_list(
+        "output.columns", output.columns,
+        {.help = "which measurements are taken and written: names of columns or of groups "
+                 "of columns; []: all. What plots over frames show is added"});
     table.role(KeyRole::sampling);
     table.real("output.channel_area", output.channel_area,
                {.unit = "m2",

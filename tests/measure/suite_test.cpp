@@ -256,5 +256,54 @@ TEST(MeasureSuite, MetresTakeThePlaceOfSitesAndHeights) {
     EXPECT_EQ(sites.column.unit, "sites");
 }
 
+TEST(MeasureSuite, AChoiceOfColumnsMeasuresTheseAloneAndTheSame) {
+    MeasureSuite all(Landform::bed);
+    MeasureChoice choice;
+    choice.columns = {"lee_slope", "waves", "mean_height"};
+    MeasureSuite some(Landform::bed, {}, choice);
+    std::string names;
+    for (const MeasureColumn& column : some.columns()) names += column.name + " ";
+    EXPECT_EQ(names,
+              "mean_height wavelength_spectrum wavelength_autocorrelation wavelength_crossings "
+              "top_one_percent_height crest_to_trough_height lee_slope ")
+        << "in the order that all have";
+    const Snapshot bed = bed_of(40, 20);
+    const std::vector<double> whole = all.row(bed);
+    const std::vector<double> row = some.row(bed);
+    ASSERT_EQ(row.size(), some.columns().size());
+    for (const MeasureColumn& column : some.columns())
+        EXPECT_EQ(value_of(some, row, column.name), value_of(all, whole, column.name))
+            << column.name;
+}
+
+TEST(MeasureSuite, WhatIsNotChosenIsNotComputed) {
+    const test::TemporaryFolder folder;
+    const auto bytes_after_a_row = [&](const std::vector<std::string>& columns) {
+        MeasureChoice choice;
+        choice.columns = columns;
+        MeasureSuite suite(Landform::bed, {}, choice);
+        static_cast<void>(suite.row(bed_of(40, 20)));
+        CheckpointWriter writer(folder / "suite");
+        suite.serialise(writer);
+        writer.commit();
+        return std::filesystem::file_size(folder / "suite");
+    };
+    const auto kept_bed = 40 * 20 * sizeof(double);
+    EXPECT_LT(bytes_after_a_row({"mean_height"}), kept_bed) << "no bed for a celerity";
+    EXPECT_GT(bytes_after_a_row({"celerity"}), kept_bed);
+}
+
+TEST(MeasureSuite, GroupsAndColumnsHaveDistinctNames) {
+    for (const Landform landform :
+         {Landform::bed, Landform::profile, Landform::pile, Landform::water, Landform::air}) {
+        const std::vector<std::string> names =
+            MeasureSuite(landform, landform == Landform::water ? water_of(8, 8) : air_of(8),
+                         {100.0})
+                .names();
+        EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+        EXPECT_EQ(names.front(), "statistics");
+    }
+}
+
 }  // namespace
 }  // namespace fumon

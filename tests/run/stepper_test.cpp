@@ -79,7 +79,7 @@ TEST(Stepper, CallsObserversInTheirOrderWithOneSnapshotForAll) {
     EXPECT_EQ(stepper.advance(at_step(2)), 0);
     EXPECT_EQ(log, "a0 b0 a>0 b>0 a+1 b+1 b1 a>1 b>1 a+2 b+2 a2 b2 ");
     EXPECT_EQ(a.last, b.last) << "the same snapshot, not its equal";
-    EXPECT_EQ(model.snapshots, 4) << "of three steps, and of the end";
+    EXPECT_EQ(model.snapshots, 3) << "the end is looked at in that of its step";
     log.clear();
     EXPECT_EQ(stepper.advance(at_step(3)), 0) << "goes on, and takes nothing twice";
     EXPECT_EQ(log, "a>2 b>2 a+3 b+3 b3 ");
@@ -135,6 +135,51 @@ TEST(Stepper, AStateThatIsNotFiniteIsSeenByNoObserver) {
     CountingModel unseen;
     unseen.spoiled_at = 3;
     EXPECT_THROW(Stepper(unseen, {}).advance(at_step(9)), Error) << "the end is looked at";
+}
+
+/// Fails in the background from a step on, and says so when it settles.
+class Failing : public StepObserver {
+  public:
+    [[nodiscard]] bool wants(std::int64_t /*step*/) const override { return true; }
+    void settle() override {
+        ++settled;
+        if (fails) throw Error("the record before");
+    }
+    bool fails = false;
+    int settled = 0;
+};
+
+TEST(Stepper, ObserversSettleHoweverTheStepsEnd) {
+    const InterruptGuard guard;
+    Failing observer;
+    CountingModel model;
+    Stepper stepper(model, {&observer});
+    stepper.advance(at_step(2));
+    EXPECT_EQ(observer.settled, 1);
+    model.given_up_at = 2;
+    stepper.advance(at_step(3));
+    EXPECT_TRUE(stepper.cancelled());
+    EXPECT_EQ(observer.settled, 2);
+    clear_interrupt();
+    CountingModel spoiled;
+    spoiled.spoiled_at = 1;
+    EXPECT_THROW(Stepper(spoiled, {&observer}).advance(at_step(2)), Error);
+    EXPECT_EQ(observer.settled, 3);
+}
+
+TEST(Stepper, WhatFailedBeforeTheStepThatFailedIsTold) {
+    Failing observer;
+    observer.fails = true;
+    CountingModel spoiled;
+    spoiled.spoiled_at = 1;
+    try {
+        Stepper(spoiled, {&observer}).advance(at_step(2));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "the record before");
+    }
+    CountingModel model;
+    EXPECT_THROW(Stepper(model, {&observer}).advance(at_step(1)), Error);
 }
 
 }  // namespace

@@ -35,8 +35,9 @@ TEST(SceneRoles, EachKeyDecidesWhatItSays) {
     EXPECT_EQ(paths_with(KeyRole::sampling),
               (Paths{"frames.every", "frames.at", "frames.logarithmic", "output.measure_every",
                      "output.channel_area"}));
-    EXPECT_EQ(paths_with(KeyRole::record), (Paths{"output.measurements", "output.fields_every",
-                                                  "output.fields_at", "output.avalanches"}));
+    EXPECT_EQ(paths_with(KeyRole::record),
+              (Paths{"output.measurements", "output.columns", "output.fields_every",
+                     "output.fields_at", "output.avalanches"}));
     EXPECT_EQ(paths_with(KeyRole::file),
               (Paths{"output.frames", "output.movie", "output.bed_every", "output.bed_at",
                      "output.bed_format", "output.world_files", "output.geotiff_frames",

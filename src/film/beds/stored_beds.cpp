@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/find_named.h"
 #include "base/snapshots/ground_range.h"
 #include "base/truncation.h"
 #include "files/csv_table.h"
@@ -309,6 +310,12 @@ std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string
     const TableColumn* times = table.find("time");
     if (steps == nullptr || times == nullptr)
         throw InputError(file.string() + ": has no step or time; run the scene again");
+    for (const std::string& name : names) {
+        if (table.find(name) == nullptr && find_named(suite.columns(), name) != nullptr)
+            throw InputError(
+                fmt::format("{}: has no column {}, but a plot needs it; add it to output.columns",
+                            file.string(), name));
+    }
     for (std::size_t i = 0; i < table.rows(); ++i) {
         Snapshot at;
         at.step = truncated(steps->values[i]);

@@ -95,7 +95,7 @@ WindOnGrid wind_on_grid(const Snapshot& snapshot) {
 }
 
 MeasureGroup no_columns() {
-    return {{}, [](const Snapshot&) { return std::vector<double>(); }};
+    return {{}, [](const Snapshot&, const std::vector<bool>&) { return std::vector<double>(); }};
 }
 
 }  // namespace

@@ -103,13 +103,8 @@ double deviation_of_rows(const Grid& bed, bool periodic) {
         const int count = std::min(rows, bed.ny() - first);
         batch.take(bed, first, count);
         batch.detrend(periodic);
-        for (int row = 0; row < count; ++row) {
-            const double* departures = batch.values() + row;
-            for (std::size_t x = 0; x < batch.nx(); ++x) {
-                const double departure = departures[x * RowBatch::rows];
-                squares += departure * departure;
-            }
-        }
+        for (int row = 0; row < count; ++row)
+            squares += batch.squares()[static_cast<std::size_t>(row)];
     }
     return std::sqrt(squares / static_cast<double>(bed.size()));
 }

@@ -58,24 +58,19 @@ struct Side {
 };
 
 /// The value that nine tenths of a side do not exceed. `each_row` calls its argument with the
-/// magnitudes of one row after the other; those that are not of the side are not above `level`.
+/// magnitudes of one row after the other; those that are not of the side lie below all that are.
 template <class EachRow>
-double ninetieth_percentile(const Side& side, double level, const EachRow& each_row) {
+double ninetieth_percentile(const Side& side, const EachRow& each_row) {
     if (side.count == 0) return undefined;
     const std::size_t rank = (side.count * 9 + 9) / 10 - 1;
     SampledRank values(side.sample, 0.9);
-    std::vector<double> magnitudes;
     const auto add_all = [&] {
+        std::size_t added = 0;
         each_row([&](std::span<const double> row) {
-            magnitudes.resize(row.size());
-            std::size_t kept = 0;
-            for (const double value : row) {
-                magnitudes[kept] = value;
-                kept += static_cast<std::size_t>(value > level);
-            }
-            values.add(std::span(magnitudes).first(kept));
+            values.add(row);
+            added += row.size();
         });
-        return values.find(rank);
+        return values.find(added - side.count + rank);
     };
     if (const auto found = add_all()) return *found;
     values.widen();
@@ -158,8 +153,8 @@ BedSlopes bed_slopes(const Grid& bed, bool periodic, const Mask& nodata) {
             }
         };
     };
-    result.steep_stoss = ninetieth_percentile(rises, level, each_row(1.0));
-    result.steep_lee = ninetieth_percentile(falls, level, each_row(-1.0));
+    result.steep_stoss = ninetieth_percentile(rises, each_row(1.0));
+    result.steep_lee = ninetieth_percentile(falls, each_row(-1.0));
     return result;
 }
 

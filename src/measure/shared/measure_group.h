@@ -24,7 +24,8 @@ struct MeasureColumn {
 /// Measures that are taken together: their columns, and the values in the same order.
 struct MeasureGroup {
     std::vector<MeasureColumn> columns;
-    std::function<std::vector<double>(const Snapshot&)> values;
+    /// One value a column, of those that are wanted; the others may be anything.
+    std::function<std::vector<double>(const Snapshot&, const std::vector<bool>& wanted)> values;
     std::function<void(std::span<const Avalanche>)> note{};  ///< where avalanches count
     std::function<void(StateArchive&)> serialise{};          ///< what rows draw on of earlier ones
 };
@@ -46,11 +47,13 @@ MeasureGroup group_of(std::function<std::optional<Found>(const Snapshot&)> find,
     MeasureGroup group;
     for (const Measure<Found>& measure : measures)
         group.columns.push_back({measure.name, measure.unit, measure.help});
-    group.values = [find = std::move(find),
-                    measures = std::move(measures)](const Snapshot& snapshot) {
+    group.values = [find = std::move(find), measures = std::move(measures)](
+                       const Snapshot& snapshot, const std::vector<bool>& wanted) {
         std::vector<double> values(measures.size(), undefined);
         if (const std::optional<Found> found = find(snapshot)) {
-            for (std::size_t k = 0; k < values.size(); ++k) values[k] = measures[k].value(*found);
+            for (std::size_t k = 0; k < values.size(); ++k) {
+                if (wanted[k]) values[k] = measures[k].value(*found);
+            }
         }
         return values;
     };
