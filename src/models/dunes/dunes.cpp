@@ -70,12 +70,6 @@ void check_transport(const DunesParameters& parameters, const ModelSetup& setup)
             "slab transport has no shear stress; write model.speed_up = \"height\" or \"none\", "
             "or model.transport = \"continuous\"");
     }
-    if (parameters.wind_bend != DuneBend::none && (parameters.transport == DuneTransport::slabs ||
-                                                   parameters.speed_up != DuneSpeedUp::relief)) {
-        throw KeyError("model.wind_bend",
-                       "relief bends the wind of continuous transport with model.speed_up = "
-                       "\"relief\" only; write these, or model.wind_bend = \"none\"");
-    }
     if (parameters.order == SlabOrder::sequential && parameters.influx > 0.0 &&
         parameters.transport == DuneTransport::slabs) {
         throw KeyError("model.influx",
@@ -235,6 +229,7 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
     check_transport(parameters, setup);
     check_saturation(parameters, ground_);
     check_windward_bubbles(parameters);
+    check_wind_bend(parameters);
     check_plants(parameters);
     check_plant_shelter(parameters);
     check_ravines(parameters);
@@ -258,7 +253,7 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
         shear_.emplace(ground_, parameters.shear_in_phase, parameters.shear_ahead, pool_);
     if (!parameters.windward_angle.is_word())
         bubbles_.emplace(ground_, tangent(parameters.windward_angle.value), pool_);
-    if (parameters.wind_bend != DuneBend::none)
+    if (parameters.wind_bend != DuneBend::none || parameters.slope_deflection > 0.0)
         bent_ = {Grid(ground_.nx, ground_.ny), Grid(ground_.nx, ground_.ny)};
     if (parameters.wind_bend == DuneBend::contours) contour_bend_.emplace(ground_, pool_);
     if (parameters.rock_wear > 0.0) {
@@ -311,7 +306,7 @@ ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
         shear_->apply(relief_, wind);
         over.shear = &relief_;
     }
-    if (parameters_.wind_bend != DuneBend::none) {
+    if (!bent_.x.empty()) {
         bend(wind);
         over.bent = &bent_;
     }
@@ -328,9 +323,15 @@ void Dunes::bend(const BlowingWind& wind) const {
         contour_bend_->find(bed_.surface, wind, bent_);
         return;
     }
-    across_ = shadow_.envelope();
-    if (bubbles_) bubbles_->fill(across_);
-    shear_->apply_across(across_, wind, parameters_.shear_across);
+    if (parameters_.wind_bend == DuneBend::shear) {
+        across_ = shadow_.envelope();
+        if (bubbles_) bubbles_->fill(across_);
+        shear_->apply_across(across_, wind, parameters_.shear_across);
+    } else {
+        across_ = Grid(ground_.nx, ground_.ny);
+    }
+    if (parameters_.slope_deflection > 0.0)
+        turn_down_slopes(bed_.surface, ground_, wind, parameters_.slope_deflection, pool_, across_);
     turn_by_stress(across_, wind, pool_, bent_);
 }
 

@@ -285,6 +285,11 @@ void list_wind_keys(DunesParameters& dunes, KeyTable& table) {
         {.help = "how relief turns the wind; of continuous transport with speed_up = \"relief\""});
     table.real("model.shear_across", dunes.shear_across,
                {.range = {0, 100}, .help = "C of wind_bend = \"shear\""});
+    table.real("model.slope_deflection", dunes.slope_deflection,
+               {.range = {0, 2},
+                .help = "drift across the wind down a slope of 1 across it, in parts of the local "
+                        "drift (Hersen 2004); .2 makes barchans as wide as real ones; of speed_up "
+                        "= \"relief\""});
     table.choice(
         "model.shadow", dunes.shadow,
         {{DuneShadow::soft, "soft", "grows from model.shadow_soft_angle to model.shadow_angle"},

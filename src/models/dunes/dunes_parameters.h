@@ -88,6 +88,7 @@ struct DunesParameters {
     double shear_in_phase = 3.5;          ///< A
     double shear_ahead = 2.0;             ///< B
     double shear_across = 2.4;            ///< C
+    double slope_deflection = 0.0;        ///< D
 
     DuneShadow shadow = DuneShadow::soft;
     double shadow_angle = 15.0;              ///< degrees

@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "base/error.h"
 #include "base/worker_pool.h"
 
 namespace fumon {
@@ -46,6 +47,41 @@ void turn_by_stress(const Grid& across, const BlowingWind& wind, WorkerPool& poo
             }
         }
     });
+}
+
+void turn_down_slopes(const FixedPointGrid& surface, const DuneGround& ground,
+                      const BlowingWind& wind, double deflection, WorkerPool& pool, Grid& across) {
+    pool.for_ranges(ground.ny, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            const Beside rows = beside(y, ground.ny, ground.periodic_y);
+            for (int x = 0; x < ground.nx; ++x) {
+                const Beside columns = beside(x, ground.nx, ground.periodic_x);
+                const double along_x =
+                    to_metres(surface(columns.after, y) - surface(columns.before, y)) /
+                    (columns.apart * ground.dx);
+                const double along_y = to_metres(surface(x, rows.after) - surface(x, rows.before)) /
+                                       (rows.apart * ground.dy);
+                across(x, y) -= deflection * (wind.x * along_y - wind.y * along_x);
+            }
+        }
+    });
+}
+
+void check_wind_bend(const DunesParameters& parameters) {
+    const bool has_shear = parameters.transport == DuneTransport::continuous &&
+                           parameters.speed_up == DuneSpeedUp::relief;
+    if (parameters.wind_bend != DuneBend::none && !has_shear) {
+        throw KeyError("model.wind_bend",
+                       "relief bends the wind of continuous transport with model.speed_up = "
+                       "\"relief\" only; write these, or model.wind_bend = \"none\"");
+    }
+    if (parameters.slope_deflection > 0.0 &&
+        (!has_shear || parameters.wind_bend == DuneBend::contours)) {
+        throw KeyError("model.slope_deflection",
+                       "slopes deflect the hops of continuous transport with model.speed_up = "
+                       "\"relief\" and model.wind_bend = \"none\" or \"shear\" only; write "
+                       "these, or no model.slope_deflection");
+    }
 }
 
 ContourBend::ContourBend(const DuneGround& ground, WorkerPool& pool)

@@ -4,6 +4,7 @@
 
 #include "base/grid.h"
 #include "models/dunes/dune_bed.h"
+#include "models/dunes/dunes_parameters.h"
 #include "models/dunes/ground_filter.h"
 #include "models/dunes/wind_schedule.h"
 #include "models/dunes/wind_shadow.h"
@@ -21,6 +22,15 @@ struct BentWind {
 /// A wind of direction d, to whose left n lies, turned by a stress across it: along d + (τ_n/τ0) n,
 /// by 45° at most.
 void turn_by_stress(const Grid& across, const BlowingWind& wind, WorkerPool& pool, BentWind& bent);
+
+/// Grains that hop over a slope across the wind come down it by a part of what they hop, since the
+/// grains that they splash roll down (Hersen 2004: the drift across the wind is −D q ∂h/∂n): takes
+/// D times the slope of the surface, to the left of the wind, from a stress across it.
+void turn_down_slopes(const FixedPointGrid& surface, const DuneGround& ground,
+                      const BlowingWind& wind, double deflection, WorkerPool& pool, Grid& across);
+
+/// Throws KeyError for bends, and deflections on slopes, of hops that follow no shear stress.
+void check_wind_bend(const DunesParameters& parameters);
 
 /// The wind turned along the contours of the relief, after Paris et al. (2019) and Nilles, Günther
 /// & Müller (2024): with the gradients g_i of the surface smoothed by Gaussians of standard

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -184,6 +186,58 @@ TEST(WindBend, IsOfContinuousTransportWithRelief) {
             EXPECT_EQ(error.key(), "model.wind_bend");
         }
     }
+}
+
+/// On a plane that rises across any wind, hops come down by D of the slope.
+TEST(WindBend, SlopesAcrossTheWindDeflectHops) {
+    WorkerPool pool(2);
+    DuneGround open = ground;
+    open.periodic_x = false;
+    open.periodic_y = false;
+    constexpr double rise_x = 0.03;
+    constexpr double rise_y = -0.2;
+    FixedPointGrid plane(nx, ny);
+    for (int y = 0; y < ny; ++y) {
+        for (int x = 0; x < nx; ++x) plane(x, y) = to_units(10.0 * (rise_x * x + rise_y * y));
+    }
+    for (const double from : {270.0, 200.0, 20.0}) {
+        const BlowingWind wind = wind_from(from);
+        Grid across(nx, ny, 0.01);
+        turn_down_slopes(plane, open, wind, 0.4, pool, across);
+        const double slope = wind.x * rise_y - wind.y * rise_x;
+        for (const int x : {0, 40, nx - 1}) {
+            for (const int y : {0, 30, ny - 1})
+                EXPECT_NEAR(across(x, y), 0.01 - 0.4 * slope, 1e-9) << from;
+        }
+    }
+}
+
+/// Width and height of a lone barchan as field dunes have them, W = 8.6 H + 8.8 m, within 15 %.
+TEST(WindBend, DeflectedHopsWidenBarchans) {
+    WorkerPool pool(1);
+    const auto over_field = [&] {
+        DunesParameters dunes;
+        dunes.slope_deflection = 0.2;
+        dunes.features = {
+            {FeatureKind::sand, FeatureShape::hill, 30.0, 36.0, 35.0, 35.0, 3.5, 90.0}};
+        dunes.edges_x = DuneEdge::open;
+        dunes.influx = 0.2;
+        Dunes model(dunes, {Grid(140, 72), {}, {1.0, 1.0, 1.0, true}, 7, pool});
+        for (int step = 0; step < 2000; ++step) model.step();
+        double height = 0.0;
+        int first = 72;
+        int last = 0;
+        for (int y = 0; y < 72; ++y) {
+            for (const std::int64_t surface : model.bed().surface.row(y)) {
+                height = std::max(height, to_metres(surface));
+                if (to_metres(surface) < 0.1) continue;
+                first = std::min(first, y);
+                last = y;
+            }
+        }
+        return (last + 1 - first) / (8.6 * height + 8.8);
+    };
+    EXPECT_NEAR(over_field(), 1.0, 0.15) << ".68 without deflection";
 }
 
 }  // namespace
