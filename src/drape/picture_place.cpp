@@ -53,7 +53,7 @@ std::array<double, 6> numbers_of(const fs::path& file) {
         const auto [next, fault] = std::from_chars(at, end, number);
         if (fault != std::errc{} || !std::isfinite(number)) {
             throw InputError(fmt::format(
-                "{}: is no world file; it takes six numbers: the pixel's size and turn, and the "
+                "{}: is not a world file; it takes six numbers: the pixel's size and turn, and the "
                 "place of the middle of the upper left pixel",
                 file.string()));
         }
