@@ -3,14 +3,14 @@ uniform float turbidity;  // 0 clear … 1 muddy
 uniform float blue_green;  // 1: tinted as a clear sea, else dark as streams and ponds are
 
 vec3 water_body_colour() {
-    vec3 clear = blue_green > 0.5 ? vec3(0.012, 0.055, 0.066) : vec3(0.016, 0.024, 0.024);
+    vec3 clear = blue_green > 0.5 ? vec3(0.012, 0.055, 0.066) : vec3(0.014, 0.030, 0.028);
     return mix(clear, vec3(0.250, 0.172, 0.102), turbidity);
 }
 
 // What is left of light after a way through the water (Beer–Lambert), in units of `clarity`: clear
 // water takes the red first, silt the blue.
 vec3 transmitted(float way) {
-    vec3 clear = blue_green > 0.5 ? vec3(1.75, 0.62, 0.50) : vec3(1.12, 0.92, 1.02);
+    vec3 clear = blue_green > 0.5 ? vec3(1.75, 0.62, 0.50) : vec3(1.10, 0.93, 0.97);
     vec3 absorbed = mix(clear, vec3(0.62, 0.85, 1.45), turbidity);
     return exp(-0.693 * way * absorbed);
 }

@@ -24,7 +24,6 @@ constexpr float bloom_of_moon = 2e-7F;
 
 Tone chosen_tone(const LookSettings& look, const Light& light) {
     if (look.tone != Tone::automatic && look.tone != Tone::automatic_0_2) return look.tone;
-    if (light.studio) return Tone::neutral;
     const bool punchy =
         look.ground == Ground::endless || (look.tone == Tone::automatic && light.atmosphere);
     return punchy ? Tone::agx_punchy : Tone::filmic;

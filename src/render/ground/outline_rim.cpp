@@ -10,6 +10,7 @@ namespace fumon {
 namespace {
 
 constexpr double reach_of_steps = 1.6;  // of the lattice, within which a vertex goes to the outline
+constexpr int smoothing_passes = 4;     // even: a vertex keeps a part of its own direction
 constexpr float same_wall = 0.7F;       // cosine between a face and the wall that it is part of
 
 /// A side of a quad: the step to the neighbour beyond it and its two ends, counter-clockwise.
@@ -132,6 +133,14 @@ std::vector<SideFace> rim_faces(const TerrainLattice& lattice, float aspect) {
     for (const RimFace& face : faces) {
         at_vertices[face.from].add(face.outward);
         at_vertices[face.to].add(face.outward);
+    }
+    for (int pass = 0; pass < smoothing_passes; ++pass) {
+        std::vector<Direction> wider(at_vertices.size());
+        for (const RimFace& face : faces) {
+            wider[face.from].add(at_vertices[face.to]);
+            wider[face.to].add(at_vertices[face.from]);
+        }
+        at_vertices.swap(wider);
     }
     std::vector<SideFace> sides;
     sides.reserve(faces.size());

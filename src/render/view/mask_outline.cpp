@@ -16,9 +16,9 @@ constexpr double over_relaxation = 1.7;
 constexpr int pulling_rounds = 120;
 constexpr std::size_t smallest_loop = 24;  // corners: shorter ones would be pulled together
 
-/// A way along the edges of cells: to the next corner.
-enum Way : std::uint8_t { eastward, northward, westward, southward };
-constexpr std::array<std::array<int, 2>, 4> way_steps = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+/// A heading along the edges of cells: to the next corner.
+enum Heading : std::uint8_t { eastward, northward, westward, southward };
+constexpr std::array<std::array<int, 2>, 4> heading_steps = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 /// A corner of cells that the outline passes.
 struct Corner {
@@ -31,24 +31,26 @@ struct Corner {
 class Tracer {
   public:
     explicit Tracer(const Mask& nodata)
-        : nodata_(nodata), ways_(nodata.nx() + 1, nodata.ny() + 1, 0), all_ways_(ways_) {
+        : nodata_(nodata),
+          headings_(nodata.nx() + 1, nodata.ny() + 1, 0),
+          all_headings_(headings_) {
         for (int y = 0; y < nodata.ny(); ++y) {
             for (int x = 0; x < nodata.nx(); ++x) {
                 if (!has_data(x, y)) continue;
-                if (!has_data(x, y - 1)) ways_(x, y) |= 1U << eastward;
-                if (!has_data(x + 1, y)) ways_(x + 1, y) |= 1U << northward;
-                if (!has_data(x, y + 1)) ways_(x + 1, y + 1) |= 1U << westward;
-                if (!has_data(x - 1, y)) ways_(x, y + 1) |= 1U << southward;
+                if (!has_data(x, y - 1)) headings_(x, y) |= 1U << eastward;
+                if (!has_data(x + 1, y)) headings_(x + 1, y) |= 1U << northward;
+                if (!has_data(x, y + 1)) headings_(x + 1, y + 1) |= 1U << westward;
+                if (!has_data(x - 1, y)) headings_(x, y + 1) |= 1U << southward;
             }
         }
-        all_ways_ = ways_;
+        all_headings_ = headings_;
     }
 
     std::vector<std::vector<Corner>> loops() {
         std::vector<std::vector<Corner>> found;
         for (int y = 0; y <= nodata_.ny(); ++y)
             for (int x = 0; x <= nodata_.nx(); ++x)
-                while (ways_(x, y) != 0) found.push_back(loop_from(x, y));
+                while (headings_(x, y) != 0) found.push_back(loop_from(x, y));
         return found;
     }
 
@@ -60,33 +62,33 @@ class Tracer {
     /// Where two parts touch in a corner, each keeps to its own side: it turns left.
     std::vector<Corner> loop_from(int x, int y) {
         std::vector<Corner> loop;
-        unsigned way = 0;
-        while ((ways_(x, y) >> way & 1U) == 0) ++way;
-        while (ways_(x, y) != 0) {
-            const std::uint8_t open = ways_(x, y);
-            const unsigned all = all_ways_(x, y);
+        unsigned heading = 0;
+        while ((headings_(x, y) >> heading & 1U) == 0) ++heading;
+        while (headings_(x, y) != 0) {
+            const std::uint8_t open = headings_(x, y);
+            const unsigned all = all_headings_(x, y);
             const bool touching = (all & (all - 1U)) != 0;
             if (!loop.empty()) {
                 for (const unsigned turn : {1U, 0U, 3U, 2U}) {
-                    const unsigned next = (way + turn) % 4U;
+                    const unsigned next = (heading + turn) % 4U;
                     if ((open >> next & 1U) == 0) continue;
-                    way = next;
+                    heading = next;
                     break;
                 }
             }
             const bool border = x == 0 || y == 0 || x == nodata_.nx() || y == nodata_.ny();
             loop.push_back({x, y, border || touching});
-            ways_(x, y) = static_cast<std::uint8_t>(open & ~(1U << way));
-            x += way_steps.at(way)[0];
-            y += way_steps.at(way)[1];
+            headings_(x, y) = static_cast<std::uint8_t>(open & ~(1U << heading));
+            x += heading_steps.at(heading)[0];
+            y += heading_steps.at(heading)[1];
             if (x == loop.front().x && y == loop.front().y) break;
         }
         return loop;
     }
 
     const Mask& nodata_;
-    Field<std::uint8_t> ways_;  // a bit for each that leads away from a corner, not yet gone
-    Field<std::uint8_t> all_ways_;
+    Field<std::uint8_t> headings_;  // a bit for each that leads away from a corner, not yet gone
+    Field<std::uint8_t> all_headings_;
 };
 
 OutlineLoop pulled_straight(const std::vector<Corner>& corners) {
