@@ -142,12 +142,10 @@ void TerrainLayer::set_bed(const DisplayBed& bed, const Field<float>* water_dept
     for (std::size_t i = 0; i < surface_.size(); ++i) {
         const std::uint32_t at = lattice_.cells[i];
         ground_[i] = bed.z.values()[at];
-        surface_[i] = ground_[i];
-        if (water_depth != nullptr) surface_[i] += water_depth->values()[at];
+        surface_[i] = water_depth ? ground_[i] + water_depth->values()[at] : ground_[i];
     }
     for (const std::uint32_t vertex : moved_) {
-        const MeshPosition& at = lattice_.positions[vertex];
-        const glm::dvec2 share(at.east, at.north);
+        const glm::dvec2 share(lattice_.positions[vertex].east, lattice_.positions[vertex].north);
         ground_[vertex] = bilinear_height(bed.z, share, false);
         surface_[vertex] = ground_[vertex];
         if (water_depth != nullptr) surface_[vertex] += bilinear_height(*water_depth, share, false);
@@ -179,8 +177,7 @@ void TerrainLayer::upload_surface() {
 
 void TerrainLayer::set_sides(const std::vector<SideFace>& borders) {
     const auto base = static_cast<float>(block_.base);
-    const auto ground = [&](std::uint32_t vertex) { return ground_[vertex]; };
-    const auto lower = [&](std::uint32_t vertex) { return std::min(base, ground(vertex)); };
+    const auto lower = [&](std::uint32_t vertex) { return std::min(base, ground_[vertex]); };
     std::vector<SideCorner> corners;
     corners.reserve(4 * (rim_.size() + borders.size()));
     float lowest = base;
@@ -194,9 +191,9 @@ void TerrainLayer::set_sides(const std::vector<SideFace>& borders) {
     const auto add_face = [&](Faces& faces, const SideFace& face) {
         const auto corner = [&](std::uint32_t vertex, MeshPosition normal, bool low) {
             lowest = std::min(lowest, lower(vertex));
-            highest = std::max({highest, surface_[vertex], ground(vertex)});
+            highest = std::max({highest, surface_[vertex], ground_[vertex]});
             return SideCorner{lattice_.positions[vertex], normal,
-                              low ? lower(vertex) : surface_[vertex], ground(vertex),
+                              low ? lower(vertex) : surface_[vertex], ground_[vertex],
                               surface_[vertex]};
         };
         add_rectangle(
