@@ -45,7 +45,9 @@ TEST_F(ColumnsTest, FewerColumnsAreOfTheSameModelRun) {
 
 TEST_F(ColumnsTest, WhatAPlotShowsIsAdded) {
     overlay_ = "[[overlay]]\nkind = \"plot\"\nx = \"time\"\ny = \"celerity\"\n";
-    ASSERT_EQ(run("plotted", {"output.columns=[\"mean_height\"]"}).status, 0);
+    const Ended ended =
+        run("plotted", {"output.columns=[\"mean_height\"]", "image.width=480", "image.height=270"});
+    ASSERT_EQ(ended.status, 0) << ended.errors;
     EXPECT_EQ(header("plotted"), "step,time,mean_height,celerity");
 }
 
