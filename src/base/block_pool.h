@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdlib>
@@ -8,17 +9,17 @@
 namespace fumon {
 
 /// Large blocks of memory that fields no longer need, for the next ones of the same size: the
-/// system would clear new ones page by page, frame after frame. It never holds more than `most`
-/// bytes, so that what large beds took does go back.
+/// system would clear new ones page by page, frame after frame. It holds at most `always` bytes, or
+/// half as many as are in use, so that a run finds the memory of its last snapshot again, and what
+/// large beds took does go back. The oldest go first, also where others are asked for: what it
+/// holds never takes more than `always` beyond the most that was in use.
 class BlockPool {
   public:
-    static constexpr std::size_t most = std::size_t{40} << 20;
+    static constexpr std::size_t always = std::size_t{40} << 20;
 
     BlockPool() = default;
     /// Frees what it holds.
-    ~BlockPool() {
-        for (const Block& block : blocks_) std::free(block.memory);
-    }
+    ~BlockPool() { hold_at_most(0); }
     BlockPool(const BlockPool&) = delete;
     BlockPool& operator=(const BlockPool&) = delete;
 
@@ -28,30 +29,46 @@ class BlockPool {
         return *kept;
     }
 
-    /// A block of exactly that size, with what was in it; nullptr: there is none.
+    /// A block of exactly that size, with what was in it; nullptr: there is none, and the caller
+    /// makes one. Either way as many bytes are in use from now on.
     [[nodiscard]] void* take(std::size_t bytes) noexcept {
         const std::lock_guard lock(mutex_);
-        for (Block& block : blocks_) {
-            if (block.memory == nullptr || block.bytes != bytes) continue;
-            void* memory = block.memory;
-            block = {};
-            bytes_ -= bytes;
-            return memory;
+        in_use_ += bytes;
+        most_in_use_ = std::max(most_in_use_, in_use_);
+        for (std::size_t k = count_; k-- > 0;) {
+            if (blocks_[k].bytes == bytes) return removed(k);
         }
+        const std::size_t whole = most_in_use_ + always;
+        hold_at_most(whole - in_use_);
         return nullptr;
     }
 
-    /// Whether it holds a block of std::aligned_alloc() from now on.
-    [[nodiscard]] bool keep(void* memory, std::size_t bytes) noexcept {
+    /// Says that a block which take() did not have could not be made.
+    void not_made(std::size_t bytes) noexcept {
         const std::lock_guard lock(mutex_);
-        if (bytes > most - bytes_) return false;
-        for (Block& block : blocks_) {
-            if (block.memory != nullptr) continue;
-            block = {memory, bytes};
-            bytes_ += bytes;
-            return true;
+        in_use_ -= bytes;
+    }
+
+    /// Takes back a block of std::aligned_alloc() that take() gave or was told of.
+    void give_back(void* memory, std::size_t bytes) noexcept {
+        const std::lock_guard lock(mutex_);
+        in_use_ -= bytes;
+        const std::size_t room = std::max(always, in_use_ / 2);
+        if (bytes > room) {
+            std::free(memory);
+            hold_at_most(room);
+            return;
         }
-        return false;
+        hold_at_most(room - bytes);
+        if (count_ == blocks_.size()) std::free(removed(0));
+        blocks_[count_++] = {memory, bytes};
+        bytes_ += bytes;
+    }
+
+    /// Bytes that it holds.
+    [[nodiscard]] std::size_t held() const {
+        const std::lock_guard lock(mutex_);
+        return bytes_;
     }
 
   private:
@@ -59,9 +76,25 @@ class BlockPool {
         void* memory = nullptr;
         std::size_t bytes = 0;
     };
-    std::mutex mutex_;
-    std::array<Block, 8> blocks_{};
+
+    void hold_at_most(std::size_t bytes) noexcept {
+        while (bytes_ > bytes) std::free(removed(0));
+    }
+
+    void* removed(std::size_t place) noexcept {
+        const Block block = blocks_[place];
+        std::move(blocks_.begin() + place + 1, blocks_.begin() + count_, blocks_.begin() + place);
+        --count_;
+        bytes_ -= block.bytes;
+        return block.memory;
+    }
+
+    mutable std::mutex mutex_;
+    std::array<Block, 64> blocks_{};  ///< the oldest first
+    std::size_t count_ = 0;
     std::size_t bytes_ = 0;
+    std::size_t in_use_ = 0;
+    std::size_t most_in_use_ = 0;
 };
 
 }  // namespace fumon

@@ -27,7 +27,10 @@ struct HugePageAllocator {
         const std::size_t whole = rounded_to_pages(bytes);
         if (void* kept = BlockPool::shared().take(whole)) return static_cast<Value*>(kept);
         void* memory = std::aligned_alloc(page, whole);
-        if (memory == nullptr) throw std::bad_alloc();
+        if (memory == nullptr) {
+            BlockPool::shared().not_made(whole);
+            throw std::bad_alloc();
+        }
 #ifdef MADV_HUGEPAGE
         madvise(memory, whole, MADV_HUGEPAGE);  // a wish: small pages do as well
 #endif
@@ -38,8 +41,8 @@ struct HugePageAllocator {
         const std::size_t bytes = count * sizeof(Value);
         if (bytes < huge_page_threshold_bytes) {
             ::operator delete(memory);
-        } else if (!BlockPool::shared().keep(memory, rounded_to_pages(bytes))) {
-            std::free(memory);
+        } else {
+            BlockPool::shared().give_back(memory, rounded_to_pages(bytes));
         }
     }
 

@@ -1,9 +1,10 @@
-#include "base/block_pool.h"
-
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdlib>
 
+#include "base/block_pool.h"
 #include "base/grid.h"
 
 namespace fumon {
@@ -11,28 +12,64 @@ namespace {
 
 constexpr std::size_t page = std::size_t{1} << 21;
 
-TEST(BlockPool, GivesBackBlocksOfTheSameSizeAlone) {
-    BlockPool kept;
-    void* block = std::aligned_alloc(page, 2 * page);
-    EXPECT_EQ(kept.take(2 * page), nullptr);
-    ASSERT_TRUE(kept.keep(block, 2 * page));
-    EXPECT_EQ(kept.take(3 * page), nullptr);
-    EXPECT_EQ(kept.take(page), nullptr);
-    void* again = kept.take(2 * page);
-    EXPECT_EQ(again, block);
-    EXPECT_EQ(kept.take(2 * page), nullptr);
-    std::free(again);
+/// A block that is in use.
+void* taken(BlockPool& pool, std::size_t bytes) {
+    void* kept = pool.take(bytes);
+    return kept != nullptr ? kept : std::aligned_alloc(page, bytes);
 }
 
-TEST(BlockPool, HoldsNoMoreThanItSays) {
-    BlockPool kept;
-    const std::size_t half = BlockPool::most / 2 / page * page;
-    void* first = std::aligned_alloc(page, half);
-    void* second = std::aligned_alloc(page, BlockPool::most - half + page);
-    ASSERT_TRUE(kept.keep(first, half));
-    EXPECT_FALSE(kept.keep(second, BlockPool::most - half + page));
-    EXPECT_EQ(kept.take(BlockPool::most - half + page), nullptr);
-    std::free(second);
+TEST(BlockPool, GivesBackBlocksOfTheSameSizeAlone) {
+    BlockPool pool;
+    void* block = taken(pool, 2 * page);
+    pool.give_back(block, 2 * page);
+    EXPECT_EQ(pool.take(3 * page), nullptr);
+    EXPECT_EQ(pool.take(page), nullptr);
+    EXPECT_EQ(pool.take(2 * page), block);
+    EXPECT_EQ(pool.take(2 * page), nullptr);
+    pool.give_back(block, 2 * page);
+    EXPECT_EQ(pool.held(), 2 * page);
+}
+
+TEST(BlockPool, HoldsTheNewestThatItHasRoomFor) {
+    BlockPool pool;
+    const std::size_t half = BlockPool::always / 2 / page * page;
+    const std::size_t more = BlockPool::always - half + page;
+    void* first = taken(pool, half);
+    void* second = taken(pool, more);
+    pool.give_back(first, half);
+    pool.give_back(second, more);
+    EXPECT_EQ(pool.held(), more);
+    void* large = taken(pool, BlockPool::always + page);
+    pool.give_back(large, BlockPool::always + page);
+    EXPECT_EQ(pool.held(), more) << "nothing goes for what is too large";
+}
+
+TEST(BlockPool, HoldsHalfOfWhatIsInUse) {
+    BlockPool pool;
+    constexpr std::size_t field = 8 * page;
+    std::array<void*, 12> model{};
+    for (void*& one : model) one = taken(pool, field);
+    for (int snapshot = 0; snapshot < 3; ++snapshot) {
+        std::array<void*, 4> fields{};
+        for (void*& one : fields) one = taken(pool, field);
+        for (void* one : fields) pool.give_back(one, field);
+        EXPECT_EQ(pool.held(), 4 * field);
+    }
+    for (void* one : model) pool.give_back(one, field);
+    EXPECT_LE(pool.held(), BlockPool::always) << "what a run took goes back";
+}
+
+TEST(BlockPool, MakesRoomForOtherSizes) {
+    BlockPool pool;
+    constexpr std::size_t field = 8 * page;
+    std::array<void*, 20> fields{};
+    for (void*& one : fields) one = taken(pool, field);
+    for (std::size_t k = 0; k < 6; ++k) pool.give_back(fields[k], field);
+    EXPECT_EQ(pool.held(), 6 * field);
+    void* other = taken(pool, 7 * field);
+    EXPECT_LE(pool.held(), BlockPool::always) << "beyond the most that was in use";
+    pool.give_back(other, 7 * field);
+    for (std::size_t k = 6; k < fields.size(); ++k) pool.give_back(fields[k], field);
 }
 
 TEST(BlockPool, AFieldInAnUsedBlockIsNewAllTheSame) {
