@@ -129,6 +129,7 @@ TEST(Renderer, AStillIsTheRunsFrameWhereTheSunWanders) {
         last.step = 100;
         View view = small_view();
         view.look.ground = ground;
+        view.look.light = LightKind::sun;
         view.sun.place = {23.0, 5.0};
         view.sun.time = "2026-03-20T06:40Z";
         view.sun.hours = 5.0;
