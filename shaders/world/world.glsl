@@ -185,15 +185,6 @@ float roughened(float direct, vec3 normal, vec3 to_eye, float least) {
 float metres(float block_lengths) { return block_lengths * (0.12 / ripple_length); }
 vec3 in_metres(vec3 offset) { return vec3(whole_eye + offset.xy, offset.z + eye.z) * (0.12 / ripple_length); }
 
-// What weather and wind have made of rock: pavement, where that is asked for and the ground is level.
-void wear(inout vec3 normal, inout vec3 albedo, SurfacePoint at, float rocky, float steep) {
-    vec3 place = in_metres(at.offset);
-    float footprint = metres(length(at.along) + length(at.up));
-    float level = paved * (1.0 - smoothstep(0.3, 0.6, steep));
-    weather(normal, albedo, place, footprint, rocky * (1.0 - level));
-    if (paved > 0.5) pave(normal, albedo, place.xy, wind, footprint, rocky * level);
-}
-
 // How much of light at a place is left by the air before it, a mean of the colours.
 float seen_through_air(SurfacePoint at) { return dot(air_left(length(at.offset)), vec3(1.0 / 3.0)); }
 

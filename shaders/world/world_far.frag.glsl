@@ -12,6 +12,7 @@
 #include "world/pavement.glsl"
 #include "world/world_position.glsl"
 #include "world/world.glsl"
+#include "world/wear.glsl"
 
 vec4 far_colour(SurfacePoint at) {
     WarpedGround copy = warp_at(at);

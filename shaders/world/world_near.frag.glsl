@@ -12,6 +12,7 @@
 #include "world/pavement.glsl"
 #include "world/world_position.glsl"
 #include "world/world.glsl"
+#include "world/wear.glsl"
 #include "world/slip_faces.glsl"
 
 uniform sampler2D wander_map;  // of world/ripple_wander.frag.glsl

@@ -205,12 +205,16 @@ TEST(Water, ShowsNothingOfAnEarlierCamera) {
     EXPECT_EQ(drawn(later, from(300.0)), expected);
 }
 
-TEST(Water, DeeperWaterIsDarkerAndBluer) {
+TEST(Water, DeeperWaterIsDarkerAndBluerWhereItIsTinted) {
     Snapshot lake = under_water(flat_bed(100, 100), 0.2, 0.0);
     for (int y = 0; y < 100; ++y)
         for (int x = 0; x < 50; ++x) lake.fields[0].values(x, y) = 3.0;
     View view = map_view();
     view.look.water_clarity = {"", 1.0};
+    const Image plain = picture(view, lake);
+    EXPECT_LT(brightness(mean_between(plain, 0.1, 0.4)),
+              brightness(mean_between(plain, 0.6, 0.9)) - 15.0);
+    view.look.water_tint = WaterTint::blue_green;
     const Image image = picture(view, lake);
     const auto deep = mean_between(image, 0.1, 0.4);
     const auto shallow = mean_between(image, 0.6, 0.9);
