@@ -151,6 +151,9 @@ std::vector<CitedWork> works_of(const Scene& scene) {
     const Key* recovery = table.find("model.infiltration_recovery");
     if (recovery != nullptr && value_text(*recovery) != "0.0")
         add("rossman_huber_2016", "recovery of infiltration");
+    const Key* deflection = table.find("model.slope_deflection");
+    if (deflection != nullptr && value_text(*deflection) != "0.0")
+        add("hersen_2004", "drift down slopes across the wind");
     const bool by_speed = has_speeds(table);
     const bool near_threshold = std::ranges::any_of(table.keys(), [&](const Key& key) {
         if (!key.path.ends_with(".threshold_ratio")) return false;

@@ -37,6 +37,14 @@ TEST(Cite, ADuneFieldCitesWhatItIsMadeOf) {
         EXPECT_TRUE(of_speed.contains(id)) << id;
 }
 
+TEST(Cite, DunesCiteWhatPlantsAndSlopesDo) {
+    EXPECT_FALSE(ids_of("dunes", {}).contains("hersen_2004"));
+    EXPECT_TRUE(ids_of("dunes", {"model.slope_deflection=0.2"}).contains("hersen_2004"));
+    const auto sheltered = ids_of("dunes", {"model.plants=grow", "model.plant_shelter=raupach"});
+    EXPECT_TRUE(sheltered.contains("raupach_1993"));
+    EXPECT_FALSE(sheltered.contains("okin_2008"));
+}
+
 TEST(Cite, WaterCitesTheSchemeThatItIsAdvancedBy) {
     EXPECT_TRUE(ids_of("gully", {}).contains("yabe_aoki_1991"));
     EXPECT_FALSE(ids_of("gully", {}).contains("toro_2001"));
