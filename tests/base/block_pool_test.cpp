@@ -1,10 +1,11 @@
+#include "base/block_pool.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdlib>
 
-#include "base/block_pool.h"
 #include "base/grid.h"
 
 namespace fumon {

@@ -146,7 +146,8 @@ TEST(LayDrape, RefusesWhatIsNoPictureInOneLineAtItsKey) {
     EXPECT_TRUE(test::contains(refusal(scene_in(folder, "cut.png"), initial), "scene.toml:4:9: "));
     test::write_text(folder / "map.png", bytes_of(encode_png(numbered(4, 3), 72.0, {})));
     test::write_text(folder / "map.pgw", "5\n0\nnone\n");
-    EXPECT_TRUE(test::contains(refusal(scene_in(folder, "map.png"), initial), "is not a world file"));
+    EXPECT_TRUE(
+        test::contains(refusal(scene_in(folder, "map.png"), initial), "is not a world file"));
     Scene other = scene_in(folder, "map.png");
     other.trusted = false;
     EXPECT_TRUE(test::contains(refusal(other, initial), "is not one of the files"));
