@@ -233,6 +233,12 @@ void Movie::Parts::open_converter() {
         frame->format = frame == rgb.get() ? rgb_format : codec->pix_fmt;
         check(libav().av_frame_get_buffer(frame, 0));
     }
+    // ProRes tells the colours of each frame in the frame.
+    yuv->colorspace = codec->colorspace;
+    yuv->color_primaries = codec->color_primaries;
+    yuv->color_trc = codec->color_trc;
+    yuv->color_range = codec->color_range;
+    yuv->chroma_location = codec->chroma_sample_location;
     if (coding.colours != nullptr) return;
     constexpr int accurate = SWS_BILINEAR | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INP;
     scaler.reset(checked(libav().sws_getContext(codec->width, codec->height, rgb_format,

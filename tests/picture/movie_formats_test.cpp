@@ -12,6 +12,7 @@ extern "C" {
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "picture/colour_table.h"
@@ -177,6 +178,14 @@ TEST_P(MovieFormats, PlayTheirFramesAndGiveTheSameBytes) {
                              : format.name == "prores" ? "yuva444p12le"
                                                        : std::string(format.pixels);
     EXPECT_EQ(played.pixels, kept);
+    if (format.name == "prores") {
+        constexpr std::string_view bt709("\1\1\1", 3);  // primaries, curve, matrix
+        std::size_t headers = 0;
+        for (std::size_t at = bytes.find("icpf"); at != std::string::npos;
+             at = bytes.find("icpf", at + 1), ++headers)
+            EXPECT_EQ(bytes.substr(at + 18, 3), bt709) << headers;
+        EXPECT_GE(headers, 12U);
+    }
     if (format.ending != ".mp4" && format.name != "webm") return;
     ASSERT_GE(played.keys.size(), 2U);
     EXPECT_LE(played.keys[1], 10);
