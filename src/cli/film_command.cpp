@@ -54,14 +54,16 @@ void declare(CLI::App& command, FilmOptions& options) {
                                     "several files, NAME-talk.mp4 …: " + output_names())
                         ->type_name("NAME,…")
                         ->delimiter(',');
-    command
-        .add_option("--max-size", options.most_bytes,
-                    "of each file, such as 8MB; pictures become coarser, then smaller, to fit")
-        ->type_name("SIZE");
+    auto* most_bytes =
+        command
+            .add_option("--max-size", options.most_bytes,
+                        "of each file, such as 8MB; pictures become coarser, then smaller, to fit")
+            ->type_name("SIZE");
     command
         .add_flag("--draft", options.draft,
                   "a quarter of each side and a tenth of the frames, and a contact sheet")
-        ->excludes(formats);
+        ->excludes(formats)
+        ->excludes(most_bytes);
     command.add_flag("--resume", options.resume,
                      "keep the frames in FILE.frames until the film is whole; given again, an "
                      "interrupted film goes on where it stopped");

@@ -170,8 +170,9 @@ void Titles::draw(Image& image, std::int64_t frame) const {
     for (const OverPicture& over : over_) {
         const std::int64_t within = frame - over.first;
         if (within < 0 || within >= over.frames) continue;
+        // None of a card that comes is on the first frame, which slides show until a film plays.
         const double opacity =
-            opacity_of(film_.cards[over.number], (static_cast<double>(within) + 0.5) / rate_);
+            opacity_of(film_.cards[over.number], static_cast<double>(within) / rate_);
         darken(image, veil_opacity * opacity);
         const Lettering& lettering = cards_[over.number];
         lettering.draw(image, 0.5 * width_, 0.5 * (height_ - lettering.height()), opacity);

@@ -65,6 +65,15 @@ TEST(StoredBeds, AreThoseThatTheRunRecorded) {
     EXPECT_EQ(rows[20].find("step")->values.size(), 5U);
 }
 
+// What slides show of a film that does not play yet.
+TEST(FilmPainter, TheFirstFrameHasNothingOfACardThatComes) {
+    const std::string shot = "[[shot]]\nseconds = 2\n";
+    FilmAtWork plain(shot);
+    FilmAtWork titled(shot + "[[card]]\ntitle = \"dunes\"\nseconds = 2\n");
+    EXPECT_EQ(titled.painter.paint(0), plain.painter.paint(0));
+    EXPECT_NE(titled.painter.paint(1), plain.painter.paint(1));
+}
+
 TEST(BedClock, KeepsItsPace) {
     const FilmAtWork at(
         "[[shot]]\n[[shot]]\npace = \"logarithmic\"\n[[shot]]\nfrom = 20\nto = 5\n"
