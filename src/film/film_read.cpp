@@ -151,7 +151,8 @@ class FilmReader {
         }
         std::vector<std::string> known;
         for (const Key& key : table_.keys()) known.push_back(key.path);
-        const std::string nearest = nearest_name(path, known);
+        const bool is_rate = path == "film.fps" || path == "film.frame_rate";
+        const std::string nearest = is_rate ? "film.rate" : nearest_name(path, known);
         throw InputError(
             nearest.empty()
                 ? fmt::format("{}: unknown key {}; `fumon describe film` lists the known ones",
@@ -198,6 +199,20 @@ void read_excerpt(Film& film, std::size_t number, bool reads_files) {
     excerpt.read = std::make_shared<const Film>(std::move(read));
 }
 
+/// Throws InputError, with the nearest film that fumon ships, where a name is no file.
+void check_is_there(const std::filesystem::path& file) {
+    std::error_code fault;
+    if (file.has_parent_path() || std::filesystem::exists(file, fault)) return;
+    std::vector<std::string> shipped;
+    if (const auto folder = find_data_file("scenes/films")) {
+        for (const auto& entry : std::filesystem::directory_iterator(*folder))
+            shipped.push_back(entry.path().stem().string());
+    }
+    std::ranges::sort(shipped);
+    throw InputError(fmt::format("{}: there is no such file, and no such film ships with fumon; {}",
+                                 file.string(), suggestion(file.stem().string(), shipped)));
+}
+
 /// Whether a movie's or picture's file ends so.
 bool find_ending(const std::string& ending) {
     return ending == ".png" || std::ranges::any_of(movie_formats(), [&](const MovieFormat& format) {
@@ -235,6 +250,12 @@ Film parse_film(std::string_view text, const std::string& source,
     Faults faults(source);
     const toml::table root =
         parse_toml(text, source, "a film is TOML: [section] lines and key = value lines");
+    if (root.contains("model") && !root.contains("shot") && !root.contains("excerpt")) {
+        throw InputError(fmt::format(
+            "{}: is a scene, not a film; run it first (fumon run {} -o RUN --set "
+            "output.fields_every=20), then cut a film from the run (fumon film RUN FILM)",
+            source, source));
+    }
     FilmReader(film, faults).read(root, read_settings(settings));
     if (faults.none()) check_film(film, faults);
     for (std::size_t i = 0; i < film.excerpts.size(); ++i)
@@ -247,6 +268,7 @@ Film parse_film(std::string_view text, const std::string& source,
 }
 
 FilmText film_text(const std::filesystem::path& file) {
+    check_is_there(file);
     const std::string ending = small_ending(file);
     const FilmTexts texts = read_film_texts(file);
     const bool made = ending != ".toml" && find_ending(ending);

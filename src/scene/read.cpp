@@ -320,6 +320,11 @@ Scene parse_scene(const SceneText& scene_text, const std::vector<Override>& over
         faults.attempt([&] { settings.push_back(parse_setting(override)); });
     const toml::table root = parse_toml(scene_text.text, scene.source,
                                         "a scene is TOML: [section] lines and key = value lines");
+    if (!root.contains("model") && (root.contains("shot") || root.contains("film"))) {
+        throw InputError(
+            fmt::format("{}: is a film, not a scene; a film is cut from a run: fumon film RUN {}",
+                        scene.source, scene.source));
+    }
     Reader(scene, std::move(settings), scene_text.version, faults).read(root);
     return scene;
 }

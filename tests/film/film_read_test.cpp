@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "film/film_output.h"
 #include "film/script/film_sizes.h"
+#include "scene/read.h"
 #include "support/temporary_folder.h"
 
 namespace fumon {
@@ -74,6 +75,21 @@ TEST(FilmRead, RefusesTitlesLongerThanTheFilm) {
     EXPECT_EQ(film_refusal("[[shot]]\nseconds = 2\n[[card]]\nseconds = 30\nground = \"dark\"\n"
                            "[[caption]]\nfrom = 28\nto = 31\n"),
               "");
+}
+
+TEST(FilmRead, KnowsASceneAndWordsOfOtherPrograms) {
+    EXPECT_EQ(film_refusal("title = \"dunes\"\n[model]\nname = \"dunes\"\n"),
+              "f.toml: is a scene, not a film; run it first (fumon run f.toml -o RUN --set "
+              "output.fields_every=20), then cut a film from the run (fumon film RUN FILM)");
+    EXPECT_EQ(film_refusal("[film]\nfps = 25\n[[shot]]\n"),
+              "f.toml:2:1: unknown key film.fps; did you mean \"film.rate\"?");
+    EXPECT_EQ(message_of<InputError>([] { film_text("barchan"); }),
+              "barchan: there is no such file, and no such film ships with fumon; did you mean "
+              "\"barchans\"?");
+    EXPECT_EQ(
+        message_of<InputError>(
+            [] { parse_scene("[film]\nrate = 25\n[[shot]]\n", "cut.toml", "."); }),
+        "cut.toml: is a film, not a scene; a film is cut from a run: fumon film RUN cut.toml");
 }
 
 TEST(FilmRead, LocatesEveryFault) {
