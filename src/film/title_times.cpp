@@ -51,8 +51,7 @@ void check_cards(const Film& film, double begin, double end, Faults& faults) {
         const std::string path = fmt::format("card.{}", i);
         const double length = end - begin;
         faults.attempt([&] {
-            if (card.seconds <= length + slack || !film.locations.contains(path + ".seconds"))
-                return;
+            if (card.seconds <= length + slack || card.seconds == Card{}.seconds) return;
             throw InputError(fmt::format(
                 "{}{}.seconds = {} is longer than the film's shots, {:.4g} s; write less, or "
                 "ground = \"dark\", which lets it stand before or after them",

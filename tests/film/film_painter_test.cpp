@@ -22,10 +22,10 @@ const std::filesystem::path& filmed_run() {
     static const ScratchFolder folder;
     static const std::filesystem::path run = [] {
         test::write_text(folder / "scene.toml", test::small_scene());
-        fumon(
-            {"run", "scene.toml", "-o", "out", "--quiet", "--set", "output.fields_every=1", "--set",
-             "look.ground=table", "--set", "output.frames=false", "--set", "output.movie=false"},
-            folder.path());
+        fumon({"run", "scene.toml", "-o", "out", "--quiet", "--set", "output.fields_every=1",
+               "--set", "look.ground=table", "--set", "look.light=sun", "--set",
+               "output.frames=false", "--set", "output.movie=false"},
+              folder.path());
         return folder / "out";
     }();
     return run;
