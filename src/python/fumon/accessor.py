@@ -6,6 +6,7 @@ from typing import Any
 
 import xarray
 
+from .arrays import Bytes
 from .images import Image, PathLike
 from .measures import Measures
 from .movies import Movie, movie
@@ -25,9 +26,10 @@ class TerrainAccessor:
     def __init__(self, array: xarray.DataArray) -> None:
         self._array = array
 
-    def render(self, cell_size: CellSize = None, *, origin: Origin = "lower", **look: Setting) -> Image:
+    def render(self, cell_size: CellSize = None, *, origin: Origin = "lower", drape: Bytes | None = None,
+               **look: Setting) -> Image:
         """A picture, see fumon.render()."""
-        return render(self._array, cell_size, origin=origin, field=None, **look)
+        return render(self._array, cell_size, origin=origin, field=None, drape=drape, **look)
 
     def measure(self, cell_size: CellSize = None, *, origin: Origin = "lower", periodic: bool = True,
                 channel_area: float = 0.0) -> Measures:
