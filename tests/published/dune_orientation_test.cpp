@@ -98,15 +98,12 @@ TEST(PublishedDunes, CrestsOfTwoWindsRunAsTheoryHasIt) {
     }
 }
 
-/// As crests_under(), of 6 m of sand after so many years, when slip faces hold a fifth of the bed,
-/// with still air before steep slopes and hops that slopes across the wind deflect.
-double grown_crests_under(double ratio, double apart, double years) {
+/// As crests_under(), of 6 m of sand after four years, when slip faces hold a fifth of the bed.
+double grown_crests_under(double ratio, double apart, const DunesParameters& flow) {
     constexpr int side = 192;
-    DunesParameters parameters;
+    DunesParameters parameters = flow;
     parameters.saturation_length = {"", 1.0};
     parameters.time_step = {"", 0.0008};
-    parameters.windward_angle = {"", 16.7};
-    parameters.slope_deflection = 0.2;
     parameters.winds = {{270.0, 1.0, 0.04 * ratio}, {270.0 - apart, 1.0, 0.04}};
     WorkerPool pool;
     Grid first(side, side);
@@ -115,29 +112,31 @@ double grown_crests_under(double ratio, double apart, double years) {
         for (double& height : first.row(y)) height = 5.5 + stream.uniform();
     }
     Dunes dunes(parameters, {std::move(first), {}, {1.0, 1.0, 1.0, true}, 1, pool});
-    while (dunes.time() < years) dunes.step();
+    while (dunes.time() < 4.0) dunes.step();
     return std::fmod(crest_orientation(heights_in_metres(dunes.bed()), true).degrees + 270.0,
                      180.0);
 }
 
-/// Grown fields lie on theory's direction (Gao et al. 2015). Without these two keys crests are at
-/// 63.7 and 124.5 then, 10 and 11 degrees off, and go on turning.
-TEST(PublishedDunes, GrownCrestsStayWithTheoryWhereSlopesDeflectHops) {
-    struct Pair {
-        double ratio;
-        double apart;
-        double years;
-    };
-    for (const auto& [ratio, apart, years] : {Pair{2.0, 120.0, 4.0}, Pair{1.5, 75.0, 6.0}}) {
-        const double theory =
-            crest_directions(std::vector<SandFlux>{{0.0, ratio}, {apart, 1.0}}, 1.6)
-                .bed_instability.at(0);
-        const double crests = grown_crests_under(ratio, apart, years);
-        std::printf(
-            "    ratio %.1f, %.0f degrees apart, %.0f years: %.1f measured, %.1f predicted\n",
-            ratio, apart, years, crests, theory);
-        EXPECT_NEAR(crests, theory, 5.0);
-    }
+/// The linear stress over slip faces that meet the next wind is too large, and the weaker wind
+/// meets more of them: part of the cause. What is right is theory's direction (Gao et al. 2015 find
+/// grown fields on it); without windward bubbles crests leave it by 10 degrees in four years. They
+/// go on turning slowly with them.
+TEST(PublishedDunes, GrownCrestsLeaveTheoryLessWithWindwardBubblesAndABentWind) {
+    const CrestDirections theory =
+        crest_directions(std::vector<SandFlux>{{0.0, 2.0}, {120.0, 1.0}}, 1.6);
+    DunesParameters flow;
+    const double plain = grown_crests_under(2.0, 120.0, flow);
+    flow.windward_angle = {"", 16.7};
+    const double with_bubbles = grown_crests_under(2.0, 120.0, flow);
+    flow.wind_bend = DuneBend::shear;
+    const double with_both = grown_crests_under(2.0, 120.0, flow);
+    std::printf(
+        "    four years, ratio 2, 120 degrees apart: %.1f, %.1f with bubbles, %.1f with a "
+        "bent wind too, %.1f predicted\n",
+        plain, with_bubbles, with_both, theory.bed_instability.at(0));
+    EXPECT_LT(plain, theory.bed_instability.at(0) - 5.0) << "better than the guide says";
+    EXPECT_NEAR(with_bubbles, theory.bed_instability.at(0), 5.0);
+    EXPECT_NEAR(with_both, theory.bed_instability.at(0), 5.0);
 }
 
 /// Of two winds, as in crests_under(), the direction from a source of sand on bare rock to the sand
