@@ -25,28 +25,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* key = "look.drape";
 
-/// A picture's metadata open no file that they do not list, and no scene of others tells whether a
-/// file is there.
-void check_access(const Scene& scene, const fs::path& file) {
-    const bool mine = scene.trusted || scene.set_on_command_line(key);
-    const bool listed = !scene.bed_hashes || scene.set_on_command_line(key) ||
-                        std::ranges::any_of(*scene.bed_hashes, [&](const std::string& hash) {
-                            return has_grid_hash(file, hash);
-                        });
-    if (!listed || (!mine && !scene.bed_hashes)) {
-        throw InputError(
-            fmt::format("{}{} is not one of the files whose SHA-256 the metadata lists, is "
-                        "missing, or has changed",
-                        scene.at(key), file.string()));
-    }
-    check_trust(scene, key, file);
-    std::error_code fault;
-    if (mine && !fs::exists(file, fault)) {
-        throw InputError(fmt::format("{}look.drape \"{}\" does not exist (looked for {})",
-                                     scene.at(key), scene.view.look.drape, file.string()));
-    }
-}
-
 void check_size(const Scene& scene, const PictureSource& picture) {
     const std::int64_t pixels =
         static_cast<std::int64_t>(picture.width()) * static_cast<std::int64_t>(picture.height());
@@ -105,7 +83,7 @@ void lay_drape(Scene& scene, InitialBed& initial) {
     if (scene.view.look.drape.empty()) return;
     const std::vector<InputKey> keys = input_keys(scene);
     const fs::path file = input_path(scene, keys.back());
-    check_access(scene, file);
+    check_named_file(scene, key, scene.view.look.drape, file);
     if (initial.bed.ny() < 2) {
         throw InputError(scene.at(key) +
                          "look.drape lies over beds of several rows, and this one is a profile; "

@@ -60,24 +60,8 @@ std::string unit_of_map(const KeyTable& keys, std::size_t number) {
 Terrain read_map(const Scene& scene, const KeyTable& keys, std::size_t number,
                  const fs::path& file) {
     const std::string key = map_key(number, "file");
-    const bool mine = scene.trusted || scene.set_on_command_line(key);
-    const bool listed = !scene.bed_hashes || scene.set_on_command_line(key) ||
-                        std::ranges::any_of(*scene.bed_hashes, [&](const std::string& hash) {
-                            return has_grid_hash(file, hash);
-                        });
-    if (!listed || (!mine && !scene.bed_hashes)) {
-        throw InputError(
-            fmt::format("{}{} is not one of the files whose SHA-256 the metadata lists, is "
-                        "missing, or has changed",
-                        scene.at(key), file.string()));
-    }
-    check_trust(scene, key, file);
-    std::error_code fault;
-    if (!fs::exists(file, fault) && mine) {
-        throw InputError(fmt::format("{}{} \"{}\" does not exist (looked for {})", scene.at(key),
-                                     key, value_of<std::string>(keys, number, "file"),
-                                     file.string()));
-    }
+    check_named_file(scene, key, value_of<std::string>(keys, number, "file"), file);
+    const bool mine = is_own_file(scene, key);
     TerrainQuery query;
     query.variable = value_of<std::string>(keys, number, "variable");
     query.band = value_of<std::int64_t>(keys, number, "band");

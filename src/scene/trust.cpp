@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 
 #include "base/number_text.h"
+#include "files/terrain/grid_hash.h"
 #include "files/terrain/raster_trust.h"
 #include "keys/keys.h"
 #include "scene/scene_keys.h"
@@ -105,6 +107,31 @@ void check_trust(const Scene& scene, const std::string& key, const std::filesyst
     throw InputError(fmt::format(
         "{}{} is read only with --trust, since {}{}", scene.at(key), file.string(), why,
         listed ? fmt::format(": fumon again --trust {}", scene.source) : std::string()));
+}
+
+bool is_own_file(const Scene& scene, const std::string& key) {
+    return scene.trusted || scene.set_on_command_line(key);
+}
+
+void check_named_file(const Scene& scene, const std::string& key, const std::string& written,
+                      const std::filesystem::path& file) {
+    const bool mine = is_own_file(scene, key);
+    const bool listed = !scene.bed_hashes || scene.set_on_command_line(key) ||
+                        std::ranges::any_of(*scene.bed_hashes, [&](const std::string& hash) {
+                            return has_grid_hash(file, hash);
+                        });
+    if (!listed || (!mine && !scene.bed_hashes)) {
+        throw InputError(
+            fmt::format("{}{} is not one of the files whose SHA-256 the metadata lists, is "
+                        "missing, or has changed",
+                        scene.at(key), file.string()));
+    }
+    check_trust(scene, key, file);
+    std::error_code fault;
+    if (mine && !std::filesystem::exists(file, fault)) {
+        throw InputError(fmt::format("{}{} \"{}\" does not exist (looked for {})", scene.at(key),
+                                     key, written, file.string()));
+    }
 }
 
 bool may_report_bed(const Scene& scene) {

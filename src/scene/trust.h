@@ -34,6 +34,15 @@ void check_limits(const Scene& scene, std::int64_t cells, std::int64_t steps);
 /// other its name alone.
 void check_trust(const Scene& scene, const std::string& key, const std::filesystem::path& file);
 
+/// Checks a file that a key other than bed.file names as `written`. Throws InputError where it does
+/// not exist, and as check_trust(); in a scene of others, whose messages tell of no file whether it
+/// is there, where it is none of the files that a picture's metadata lists by their SHA-256.
+void check_named_file(const Scene& scene, const std::string& key, const std::string& written,
+                      const std::filesystem::path& file);
+
+/// Whether a file's content may be told: the user named it or trusts the scene.
+bool is_own_file(const Scene& scene, const std::string& key);
+
 /// Whether messages may tell what is in a scene's terrain file: not where others named it.
 bool may_report_bed(const Scene& scene);
 
