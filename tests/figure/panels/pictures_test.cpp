@@ -9,6 +9,7 @@
 #include "base/worker_pool.h"
 #include "figure/panels/hill_shading.h"
 #include "figure/panels/map_panel.h"
+#include "figure/panels/profile_panel.h"
 #include "figure/panels/section_panel.h"
 #include "figure/panels/time_space_panel.h"
 #include "figure/panels/view_panel.h"
