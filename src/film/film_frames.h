@@ -22,6 +22,8 @@ class FilmFrames {
     [[nodiscard]] virtual FilmSize size() const = 0;
     [[nodiscard]] virtual bool transparent() const = 0;  ///< whether frames have alpha
     virtual Image paint(std::int64_t frame) = 0;
+    /// Lets go of OpenGL, and of the memory that it takes, until the next frame.
+    virtual void close() = 0;
     /// What draws them. Throws Error where OpenGL fails.
     [[nodiscard]] virtual DrawingRecord record() = 0;
     /// Lines for the user: letters that no font has, shots that show few beds in many frames.

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "figure/canvas/canvas.h"
 #include "figure/overlays/overlay_plot.h"
+#include "film/script/film_looks.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
 #include "render/view/water.h"
@@ -51,13 +52,14 @@ bool FilmPainter::transparent() const {
 }
 
 FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize& size,
-                         const TitleFacts& facts, gl::Backend backend, WorkerPool& pool)
+                         const TitleFacts& facts, gl::Backend backend, WorkerPool& pool,
+                         const std::vector<Override>& looks)
     : film_(film),
       runs_(runs),
       size_(size),
       timeline_(film),
       layout_(film, runs, size),
-      stage_(make_stage(film, runs.first(), layout_.size())),
+      stage_(make_stage(film, runs.first(), layout_.size(), looks)),
       backend_(backend),
       pool_(pool),
       prefetch_(pool.size()) {
@@ -71,7 +73,7 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
         if (differs() && overlay.kind == OverlayKind::colour_bar && overlay.text.empty())
             overlay.text = "difference of height";
     }
-    stage_panes();
+    stage_panes(looks);
     fix_ranges(shown_moments());
     for (Pane& pane : panes_) pane.scene.view.look = stage_.scene.view.look;
     place_overlays(size);
@@ -95,7 +97,7 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
 }
 
 /// What each run's part of the picture is drawn with: its own scene under one look.
-void FilmPainter::stage_panes() {
+void FilmPainter::stage_panes(const std::vector<Override>& looks) {
     if (runs_.size() > 1) stage_.scene.view.look.exaggeration = stage_.block.exaggeration;
     if (differs()) {
         LookSettings& look = stage_.scene.view.look;
@@ -105,6 +107,7 @@ void FilmPainter::stage_panes() {
     }
     for (std::size_t run = 0; run < runs_.size(); ++run) {
         Pane pane{&runs_.beds(run), stage_.scene};
+        pane.sun = with_looks(with_looks(pane.beds->scene(), film_.looks), looks).view.sun;
         if (run > 0) {
             pane.scene = runs_.beds(run).scene();
             pane.scene.view = stage_.scene.view;
@@ -305,11 +308,11 @@ PicturePrefetch::Find FilmPainter::preparation_of(std::size_t run,
     const StoredBeds& beds = *panes_[run].beds;
     frame.share =
         share_of_run(beds.beds()[bed_of(run, view_state.moment)].step, beds.scene().run.steps);
-    const SunSettings there = sun_at(beds.scene().view.sun, frame.share);
+    const Pane& pane = panes_[run];
+    const SunSettings there = sun_at(pane.sun, frame.share);
     if (there.hours != 0.0 && leaves_sun_to_scene(film_.shots[view_state.moment.shot]))
         frame.sun = there;
     if (differs()) frame.reference = panes_[1].beds->snapshot(bed_of(1, view_state.moment));
-    const Pane& pane = panes_[run];
     return [&renderer = *pane.renderer, bed = pane.beds->snapshot(bed_of(run, view_state.moment)),
             frame, before = pane.lit](WorkerPool& pool) {
         return renderer.ready(bed, frame, before, pool);
@@ -403,8 +406,19 @@ Image FilmPainter::paint(std::int64_t frame) {
             image = mixed(std::move(image), second, shown.back().weight);
         }
     }
-    titles_->draw(image, frame);
+    write_titles(image, frame);
     return image;
+}
+
+Image FilmPainter::part_of_frame(const FramePart& shown) {
+    open();
+    Image image = ground(shown);
+    write_over(image, shown);
+    return image;
+}
+
+void FilmPainter::write_titles(Image& image, std::int64_t frame) {
+    titles_->draw(image, frame);
 }
 
 }  // namespace fumon

@@ -20,6 +20,7 @@
 #include "film/timeline.h"
 #include "film/titles.h"
 #include "gl/context.h"
+#include "keys/override.h"
 #include "render/renderer.h"
 #include "run/frame_painter.h"
 
@@ -31,9 +32,11 @@ namespace fumon {
 /// of overlays.
 class FilmPainter : public FilmFrames {
   public:
-    /// Film and runs outlive it. Throws InputError, located, where the film does not fit the runs.
+    /// All shots have the film's look, changed by `looks`. Film and runs outlive it. Throws
+    /// InputError, located, where the film does not fit the runs.
     FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize& size,
-                const TitleFacts& facts, gl::Backend backend, WorkerPool& pool);
+                const TitleFacts& facts, gl::Backend backend, WorkerPool& pool,
+                const std::vector<Override>& looks = {});
 
     ~FilmPainter() override;
 
@@ -46,8 +49,12 @@ class FilmPainter : public FilmFrames {
     [[nodiscard]] bool transparent() const override;
     /// Throws Error where OpenGL fails.
     Image paint(std::int64_t frame) override;
-    /// Lets go of OpenGL, and of the memory that it takes, until the next frame.
-    void close();
+    void close() override;
+
+    /// A part of a frame with its overlays, without captions and cards over it.
+    Image part_of_frame(const FramePart& shown);
+    /// Writes the captions and cards of a frame over its parts.
+    void write_titles(Image& image, std::int64_t frame);
 
     [[nodiscard]] DrawingRecord record() override;
     [[nodiscard]] const std::vector<std::string>& notes() const override { return notes_; }
@@ -70,6 +77,7 @@ class FilmPainter : public FilmFrames {
     struct Pane {
         const StoredBeds* beds = nullptr;
         Scene scene{};                     ///< as the stage's, of this run
+        SunSettings sun{};                 ///< of this run's own scene, with the film's look
         std::vector<MeasuredRows> rows{};  ///< up to each bed
         std::unique_ptr<Renderer> renderer{};
         std::unique_ptr<FrameOverlays> overlays{};  ///< what is its own: plots
@@ -82,7 +90,7 @@ class FilmPainter : public FilmFrames {
     [[nodiscard]] bool differs() const { return film_.panes.show == PanesShow::difference; }
     [[nodiscard]] std::size_t bed_of(std::size_t run, const Moment& moment) const;
     [[nodiscard]] std::set<Moment> shown_moments() const;
-    void stage_panes();
+    void stage_panes(const std::vector<Override>& looks);
     void fix_ranges(const std::set<Moment>& shown);
     void fix_colours(const std::set<Moment>& shown);
     void fix_plots(const std::set<Moment>& shown);

@@ -16,6 +16,7 @@
 #include "film/film_texts.h"
 #include "film/script/film_check.h"
 #include "film/script/film_keys.h"
+#include "film/script/film_looks.h"
 #include "film/title_times.h"
 #include "keys/assign.h"
 #include "keys/override.h"
@@ -92,6 +93,10 @@ class FilmReader {
                 film_.locations[path] = locate(value.source());
             } else if (list != nullptr && value.is_array()) {
                 read_items(*value.as_array(), path);
+            } else if (!look_path(path).empty()) {
+                read_looks(
+                    film_, path, value, place,
+                    [this](const auto& region) { return locate(region); }, faults_);
             } else if (list == nullptr && value.is_table() && is_section(path)) {
                 read_section(*value.as_table(), path + ".");
             } else {
@@ -124,6 +129,10 @@ class FilmReader {
     void apply(const Override& setting) {
         std::string place = fmt::format("{}:1", setting.place);
         const Key* key = table_.find(setting.path);
+        if (key == nullptr && !look_path(setting.path).empty()) {
+            set_look(film_, setting);
+            return;
+        }
         if (key == nullptr) refuse(setting.path, place);
         if (!is_utf8(setting.value))
             throw InputError(fmt::format("{}: the value of {} is not UTF-8", place, setting.path));
@@ -289,7 +298,7 @@ FilmText film_text(const std::filesystem::path& file) {
 
 std::string film_toml(const Film& film) {
     Film copy = film;  // the table binds to writable values
-    return to_toml(film_keys(copy), film.settings.draft ? "" : "film.draft");
+    return with_looks(to_toml(film_keys(copy), film.settings.draft ? "" : "film.draft"), film);
 }
 
 }  // namespace fumon

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "film/film_of_looks.h"
 
 namespace fumon {
 
@@ -33,7 +34,7 @@ JoinedFilm::JoinedFilm(const Film& film, const FilmRuns& runs, const FilmSize& s
     // What is wrong with any is said before the first frame is drawn.
     for (std::size_t i = 0; i < film.excerpts.size(); ++i) {
         place_piece(i);
-        for (const std::string& note : pieces_[piece_of_[i]]->painter.notes())
+        for (const std::string& note : pieces_[piece_of_[i]]->painter->notes())
             notes_.push_back(fmt::format("excerpt {}: {}", i + 1, note));
     }
 }
@@ -43,6 +44,7 @@ Film JoinedFilm::film_of(std::size_t number) const {
     std::string title = std::move(film.settings.title);
     film.settings = film_.settings;
     film.settings.title = std::move(title);
+    film.looks.insert(film.looks.end(), film_.looks.begin(), film_.looks.end());
     return film;
 }
 
@@ -63,14 +65,18 @@ void JoinedFilm::place_piece(std::size_t number) {
 JoinedFilm::Piece::Piece(Film film_, FilmRuns runs_, const JoinedFilm& whole)
     : film(std::move(film_)),
       runs(std::move(runs_)),
-      painter(film, runs, whole.size_, whole.facts_, whole.backend_, whole.pool_) {}
+      painter(shots_frames(film, runs, whole.size_, whole.facts_, whole.backend_, whole.pool_)) {}
 
-FilmPainter& JoinedFilm::painter(std::size_t number) {
+FilmFrames& JoinedFilm::painter(std::size_t number) {
     const std::size_t wanted = piece_of_[number];
     const std::size_t before = piece_of_[number == 0 ? 0 : number - 1];  // a cross-fade's
     for (std::size_t piece = 0; piece < pieces_.size(); ++piece)
-        if (piece != wanted && piece != before) pieces_[piece]->painter.close();
-    return pieces_[wanted]->painter;
+        if (piece != wanted && piece != before) pieces_[piece]->painter->close();
+    return *pieces_[wanted]->painter;
+}
+
+void JoinedFilm::close() {
+    for (const auto& piece : pieces_) piece->painter->close();
 }
 
 DrawingRecord JoinedFilm::record() {
@@ -89,7 +95,7 @@ Image JoinedFilm::ground(const FramePart& shown, std::int64_t frame) {
             return ground(timeline_.shot_at(beside), beside);
         });
     }
-    FilmPainter& drawn = painter(part.number);
+    FilmFrames& drawn = painter(part.number);
     Image image = drawn.paint(part.begin + frame - part.first);
     if (!record_ && piece_of_[part.number] == 0) record_ = drawn.record();
     return image;
@@ -110,7 +116,7 @@ std::unique_ptr<FilmFrames> film_frames(const Film& film, const FilmRuns& runs,
     const FilmSize size = film_size(film);
     if (!film.excerpts.empty())
         return std::make_unique<JoinedFilm>(film, runs, size, facts, backend, pool);
-    return std::make_unique<FilmPainter>(film, runs, size, facts, backend, pool);
+    return shots_frames(film, runs, size, facts, backend, pool);
 }
 
 }  // namespace fumon

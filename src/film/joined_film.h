@@ -9,7 +9,6 @@
 
 #include "base/worker_pool.h"
 #include "film/film_frames.h"
-#include "film/film_painter.h"
 #include "film/timeline.h"
 #include "film/titles.h"
 #include "gl/context.h"
@@ -29,6 +28,7 @@ class JoinedFilm : public FilmFrames {
     [[nodiscard]] FilmSize size() const override { return size_; }
     [[nodiscard]] bool transparent() const override;
     Image paint(std::int64_t frame) override;
+    void close() override;
     /// Of the first piece.
     [[nodiscard]] DrawingRecord record() override;
     [[nodiscard]] const std::vector<std::string>& notes() const override { return notes_; }
@@ -39,12 +39,12 @@ class JoinedFilm : public FilmFrames {
         Piece(Film film_, FilmRuns runs_, const JoinedFilm& whole);
         Film film;
         FilmRuns runs;
-        FilmPainter painter;
+        std::unique_ptr<FilmFrames> painter;
     };
 
     [[nodiscard]] Film film_of(std::size_t number) const;
     void place_piece(std::size_t number);
-    FilmPainter& painter(std::size_t number);
+    FilmFrames& painter(std::size_t number);
     Image ground(const FramePart& shown, std::int64_t frame);
 
     const Film& film_;
@@ -61,7 +61,8 @@ class JoinedFilm : public FilmFrames {
     std::vector<std::string> notes_;
 };
 
-/// What draws a film: a JoinedFilm where it has excerpts, else a FilmPainter. Arguments outlive it.
+/// What draws a film: a JoinedFilm where it has excerpts, a FilmOfLooks where its shots differ in
+/// their looks, else a FilmPainter. Arguments outlive it.
 std::unique_ptr<FilmFrames> film_frames(const Film& film, const FilmRuns& runs,
                                         const TitleFacts& facts, gl::Backend backend,
                                         WorkerPool& pool);

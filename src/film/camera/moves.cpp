@@ -64,10 +64,11 @@ class ShotPoses {
                 ? half_film_millimetres * elementary::cos(half_angle) / elementary::sin(half_angle)
                 : view.camera.focal_length.value;
         usual_.focal_length = chosen(shot.focal_length, usual_lens);
-        usual_.sun_azimuth = chosen(shot.sun_azimuth, view.sun.azimuth);
-        usual_.sun_elevation = chosen(shot.sun_elevation, view.sun.elevation);
-        usual_.exposure = shot.exposure.is_word() ? 0.0 : shot.exposure.value - view.look.exposure;
-        look_exposure_ = view.look.exposure;
+        const SunSettings& sun = stage.scene.view.sun;
+        usual_.sun_azimuth = chosen(shot.sun_azimuth, sun.azimuth);
+        usual_.sun_elevation = chosen(shot.sun_elevation, sun.elevation);
+        look_exposure_ = stage.scene.view.look.exposure;
+        usual_.exposure = shot.exposure.is_word() ? 0.0 : shot.exposure.value - look_exposure_;
         scenes_own_place(view, beds.first());
     }
 

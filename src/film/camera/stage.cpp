@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "film/script/film_looks.h"
 #include "render/view/framing.h"
 #include "render/view/ground_choice.h"
 #include "render/view/shown_snapshot.h"
@@ -27,8 +28,9 @@ double ground_at(const FilmStage& stage, const Snapshot& bed, double x, double y
 
 }  // namespace
 
-FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& size) {
-    FilmStage stage{beds.scene(), {}};
+FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& size,
+                     const std::vector<Override>& looks) {
+    FilmStage stage{with_looks(with_looks(beds.scene(), film.looks), looks), {}};
     View& view = stage.scene.view;
     if (view.look.mode == ViewMode::figure && beds.first().section) {
         throw InputError(
@@ -48,11 +50,10 @@ FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& s
     view.overlays = film.overlays;
     if (film.settings.background == FilmBackground::transparent) {
         view.look.background = Background::transparent;
-        if (beds.scene().view.look.ground == Ground::endless) {
+        if (view.look.ground == Ground::endless) {
             throw InputError(film.at("film.background") +
-                             "film.background = \"transparent\": the run's scene has look.ground = "
-                             "\"endless\", which leaves nothing transparent; run it with "
-                             "look.ground = \"table\"");
+                             "film.background = \"transparent\": look.ground is \"endless\", which "
+                             "leaves nothing transparent; take look.ground = \"table\"");
         }
     }
     view = with_chosen_ground(view, beds.first());

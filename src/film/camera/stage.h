@@ -1,9 +1,12 @@
 #pragma once
 
+#include <vector>
+
 #include "film/beds/stored_beds.h"
 #include "film/camera/camera_path.h"
 #include "film/script/film.h"
 #include "film/script/film_sizes.h"
+#include "keys/override.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/tile_warp.h"
@@ -21,9 +24,11 @@ struct FilmStage {
     TileWarp copies{};     ///< of such a bed
 };
 
-/// The stage of a film of a run at a size. Throws InputError where the run's scene has no view in
-/// perspective (a section's figure).
-FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& size);
+/// The stage of a film of a run at a size, with the film's look and what `looks` change of it.
+/// Throws InputError where the run's scene has no view in perspective (a section's figure), and,
+/// located, where the looks do not fit the run.
+FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& size,
+                     const std::vector<Override>& looks = {});
 
 /// The camera of a pose: 24 mm of its film lie along the picture's shorter side.
 Camera camera_of(const FilmStage& stage, const CameraPose& pose);

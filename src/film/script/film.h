@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "keys/override.h"
 #include "keys/word_or_real.h"
 #include "scene/scene.h"
 
@@ -105,6 +106,7 @@ struct Shot {
     Transition transition = Transition::cut;  ///< from what comes before
     double transition_seconds = 1.0;
     std::vector<ShotKey> keys;
+    std::vector<Override> looks;  ///< keys of the look that differ from the film's: "look.palette"
 };
 
 struct Film;
@@ -146,6 +148,7 @@ struct Film {
     std::vector<Card> cards;
     std::vector<Caption> captions;
     std::vector<OverlaySettings> overlays;
+    std::vector<Override> looks;  ///< keys of the look that differ from the run's scene
 
     std::string source;                            ///< the file's name, for messages
     std::map<std::string, std::string> locations;  ///< key path → "file:line:column"

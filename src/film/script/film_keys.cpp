@@ -310,7 +310,9 @@ std::string describe_film(const std::string& part) {
     return "Keys of a film, for `fumon film`. N counts its [[shot]], [[shot.key]], [[excerpt]],\n"
            "[[card]] and [[caption]] sections from 0; [[overlay]] takes the keys of `fumon "
            "describe "
-           "overlay`\n\n" +
+           "overlay`.\nThe film, and each shot, may also have a scene's sections [look], [sun], "
+           "[air], [streamers],\n[[person]] and [[track]] ([shot.look] for a shot): the keys that "
+           "differ from the run's own\n\n" +
            keys;
 }
 

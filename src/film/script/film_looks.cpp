@@ -1,0 +1,249 @@
+#include "film/script/film_looks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "base/error.h"
+#include "keys/look_presets.h"
+#include "keys/setting.h"
+#include "models/registry.h"
+#include "scene/check.h"
+#include "scene/placed_sun.h"
+#include "scene/scene_keys.h"
+#include "scene/unknown_keys.h"
+
+namespace fumon {
+
+namespace {
+
+const std::string shots = "shot.";
+
+/// The number of characters of "shot.12." that a path begins with; 0 for a path of the film.
+std::size_t shot_prefix(const std::string& path) {
+    if (!path.starts_with(shots)) return 0;
+    const std::size_t dot = path.find('.', shots.size());
+    return dot == std::string::npos ? 0 : dot + 1;
+}
+
+std::string section_of(const std::string& path) {
+    return path.substr(0, path.find('.'));
+}
+
+/// Gives the lists of tables of which settings speak the items that these need, and no others.
+void size_lists(Scene& scene, const std::vector<Override>& looks) {
+    std::map<std::string, std::size_t> sizes;
+    for (const Override& setting : looks) {
+        const KeyTable table = scene_keys(scene);
+        for (const TableList& list : table.lists()) {
+            const std::string begin = list.path + ".";
+            if (!setting.path.starts_with(begin)) continue;
+            const std::size_t number = std::stoul(setting.path.substr(begin.size()));
+            sizes[list.path] = std::max(sizes[list.path], number + 1);
+        }
+    }
+    for (const auto& [path, size] : sizes) {
+        const KeyTable table = scene_keys(scene);
+        const TableList* list = table.find_list(path);
+        list->resize(0);
+        list->resize(size);
+    }
+}
+
+/// What of a look a film takes from the run alone.
+std::string_view why_not(const std::string& path) {
+    if (path.starts_with("look.drape"))
+        return "a drape is one of the run's own files; give it to the run's scene";
+    if (path == "look.mode") return "a film shows the view in perspective";
+    return {};
+}
+
+void assign_look(const KeyTable& table, const Override& setting) {
+    const Setting read = parse_setting(setting);
+    const Key* key = table.find(setting.path);
+    if (key == nullptr) refuse_unknown_key(setting.path, read.locate_key(), table, "");
+    if (const std::string_view reason = why_not(setting.path); !reason.empty())
+        throw InputError(fmt::format("{}: {} cannot be changed in a film: {}", read.locate_key(),
+                                     setting.path, reason));
+    assign(*key, read.value(), [&](const auto& region) { return read.locate(region); });
+}
+
+/// Throws InputError for a setting that no scene could have.
+void check_alone(const Override& setting) {
+    Scene scene = default_scene(std::string(terrain_model().name));
+    if (setting.path == "look.preset") {
+        const Setting read = parse_setting(setting);
+        apply_look_preset(scene_keys(scene), read.value().value_or(std::string()),
+                          read.locate(read.value().source()));
+        return;
+    }
+    size_lists(scene, {setting});
+    assign_look(scene_keys(scene), setting);
+}
+
+std::string toml_of(const toml::node& value) {
+    std::ostringstream text;
+    value.visit([&](const auto& node) { text << node; });
+    return text.str();
+}
+
+/// A later setting of a key takes the place of an earlier one. They stand in the order of their
+/// paths.
+void put(std::vector<Override>& looks, Override setting) {
+    std::erase_if(looks, [&](const Override& other) { return other.path == setting.path; });
+    const auto place = std::ranges::lower_bound(looks, setting.path, {}, &Override::path);
+    looks.insert(place, std::move(setting));
+}
+
+/// The settings as sections of a film, each under a header of its own.
+std::string sections_of(const std::vector<Override>& looks, const std::string& owner) {
+    std::map<std::pair<std::string, std::size_t>, std::string> sections;  // by name and item
+    for (const Override& setting : looks) {
+        const std::size_t dot = setting.path.rfind('.');
+        const std::size_t first = setting.path.find('.');
+        const std::size_t item = first == dot ? 0 : std::stoul(setting.path.substr(first + 1)) + 1;
+        sections[{section_of(setting.path), item}] += fmt::format(
+            "{} = {}\n", setting.path.substr(dot + 1), toml_of(parse_setting(setting).value()));
+    }
+    std::string text;
+    for (const auto& [place, keys] : sections) {
+        const std::string name = owner + place.first;
+        text += place.second > 0 ? fmt::format("\n[[{}]]\n", name) : fmt::format("\n[{}]\n", name);
+        text += keys;
+    }
+    return text;
+}
+
+}  // namespace
+
+const std::vector<std::string>& film_look_sections() {
+    static const std::vector<std::string> sections{"look",      "sun",    "air",
+                                                   "streamers", "person", "track"};
+    return sections;
+}
+
+std::string look_path(const std::string& path) {
+    const std::string own = path.substr(shot_prefix(path));
+    const std::vector<std::string>& sections = film_look_sections();
+    const bool known = std::ranges::find(sections, section_of(own)) != sections.end();
+    return known ? own : "";
+}
+
+std::vector<Override>& looks_at(Film& film, const std::string& path) {
+    if (shot_prefix(path) == 0) return film.looks;
+    return film.shots.at(std::stoul(path.substr(shots.size()))).looks;
+}
+
+void read_looks(Film& film, const std::string& path, const toml::node& value,
+                const std::string& place, const Locate& locate, Faults& faults) {
+    if (const toml::table* section = value.as_table()) {
+        for (const auto& [name, item] : *section)
+            read_looks(film, fmt::format("{}.{}", path, name.str()), item, locate(name.source()),
+                       locate, faults);
+        return;
+    }
+    const toml::array* items = value.as_array();
+    const bool is_list =
+        items != nullptr && !items->empty() && std::ranges::all_of(*items, &toml::node::is_table);
+    if (is_list) {
+        std::size_t number = 0;
+        for (const toml::node& item : *items)
+            read_looks(film, fmt::format("{}.{}", path, number++), item, place, locate, faults);
+        return;
+    }
+    faults.attempt([&] {
+        const std::string at = locate(value.source());
+        const std::size_t colon = at.rfind(':');
+        Override setting{look_path(path), toml_of(value), at.substr(0, colon),
+                         std::stoul(at.substr(colon + 1))};
+        if (setting.path.find('.') == std::string::npos)
+            throw InputError(
+                fmt::format("{}: {} is a section; write its keys, such as those that "
+                            "`fumon describe {}` lists",
+                            place, path, setting.path));
+        check_alone(setting);
+        put(looks_at(film, path), std::move(setting));
+    });
+}
+
+void set_look(Film& film, const Override& setting) {
+    if (const std::size_t prefix = shot_prefix(setting.path); prefix > 0) {
+        const std::size_t number = std::stoul(setting.path.substr(shots.size()));
+        if (number >= film.shots.size())
+            throw InputError(fmt::format("{}: {}: the film has {} shots, counted from 0",
+                                         setting.place, setting.path, film.shots.size()));
+    }
+    Override own = setting;
+    own.path = look_path(setting.path);
+    check_alone(own);
+    put(looks_at(film, setting.path), std::move(own));
+}
+
+std::string with_looks(const std::string& toml, const Film& film) {
+    std::istringstream lines(toml);
+    std::string text;
+    std::string line;
+    std::size_t shot = 0;  // how many have begun
+    bool within = false;   // the last of them, keys of its own items too
+    bool blank = false;    // a line that is not written yet
+    const auto end_shot = [&] {
+        if (within) text += sections_of(film.shots.at(shot - 1).looks, "shot.");
+        within = false;
+    };
+    while (std::getline(lines, line)) {
+        if (line.starts_with("[") && !line.starts_with("[[shot.")) end_shot();
+        if (line == "[[shot]]") {
+            ++shot;
+            within = true;
+        }
+        if (std::exchange(blank, line.empty())) text += "\n";
+        if (!line.empty()) text += line + "\n";
+    }
+    end_shot();
+    return text + sections_of(film.looks, "");
+}
+
+bool same_looks(const std::vector<Override>& first, const std::vector<Override>& second) {
+    return std::ranges::equal(first, second, [](const Override& one, const Override& other) {
+        return one.path == other.path && one.value == other.value;
+    });
+}
+
+Scene with_looks(Scene scene, const std::vector<Override>& looks) {
+    if (looks.empty()) return scene;
+    // What the run's scene says of a look is no longer said.
+    std::erase_if(scene.locations, [](const auto& key) { return !look_path(key.first).empty(); });
+    size_lists(scene, looks);
+    const KeyTable table = scene_keys(scene);
+    for (const Override& setting : looks) {
+        if (setting.path != "look.preset") continue;
+        const Setting read = parse_setting(setting);
+        apply_look_preset(table, read.value().value_or(std::string()), setting.place);
+    }
+    std::set<std::string> given;
+    for (const Override& setting : looks) {
+        if (setting.path == "look.preset") continue;
+        assign_look(table, setting);
+        const Setting read = parse_setting(setting);
+        scene.locations[setting.path] = read.locate(read.value().source());
+        given.insert(setting.path);
+    }
+    SunSettings& sun = scene.view.sun;
+    if (given.contains("sun.azimuth") || given.contains("sun.elevation")) {
+        if (!given.contains("sun.place")) sun.place.clear();
+        if (!given.contains("sun.time")) sun.time.clear();
+        if (!given.contains("sun.hours")) sun.hours = 0.0;
+    }
+    Faults faults(scene.source);
+    check_scene(scene, {}, faults);
+    faults.report();
+    place_sun(sun);
+    return scene;
+}
+
+}  // namespace fumon
