@@ -263,7 +263,7 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
     if (!prepared.initial.inputs.empty() && !reads_another_file(prepared.scene))
         prepared.initial.inputs = origin.inputs;  // as they were named then
     const fs::path output = output_of(options, origin.ending);
-    check_still(prepared, output.string());
+    check_still(prepared.scene, prepared.model->snapshot(), output.string());
     const bool other_format = is_exr_name(output) != origin.is_exr ||
                               picture_format(output) != picture_format("picture" + origin.ending);
     claim_output(options, output, scene_files(prepared.scene));
@@ -273,8 +273,8 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
         return exit_status_of_signal(signal);
 
     const Sha256 before = file_hash(options.picture);
-    const DrawnStill still =
-        draw_still(prepared, first, prepared.model->snapshot(), output.string(), work, progress);
+    const DrawnStill still = draw_still(still_subject(prepared), first, prepared.model->snapshot(),
+                                        output.string(), work, progress);
     const std::string pixels = hex(still.pixels);
     if (origin.pixels_hash.empty() || other_format || !options.work.settings.empty()) {
         progress.note(fmt::format("{}: made", output.string()));

@@ -12,6 +12,7 @@
 #include "cli/shared_options.h"
 #include "film/beds/film_runs.h"
 #include "film/film_read.h"
+#include "film/frame_sequence.h"
 #include "film/make_film.h"
 #include "outputs/output_claims.h"
 #include "run/drawing.h"
@@ -47,7 +48,8 @@ void declare(CLI::App& command, FilmOptions& options) {
         "last: a film file (TOML), the name of one that fumon ships, or an MP4 or PNG of a film");
     command
         .add_option("-o,--output", options.output,
-                    "the file; its ending says the format (default: FILM.mp4 here)")
+                    "the file; its ending says the format, and NAME_%05d.png makes one picture of "
+                    "each frame (default: FILM.mp4 here)")
         ->type_name("FILE");
     auto* formats = command
                         .add_option("--formats", options.formats,
@@ -138,6 +140,14 @@ int perform(const FilmOptions& options) {
                        : "",
                 made.seconds, with_commas(static_cast<std::int64_t>(fs::file_size(written)))));
         };
+        if (output.film.settings.format == "sequence") {
+            status.note(fmt::format("{} to {}: {} pictures of {} x {} pixels, {:.4g} s",
+                                    sequence_file(output.file, 0).string(),
+                                    sequence_file(output.file, made.frames - 1).string(),
+                                    with_commas(made.frames), made.width, made.height,
+                                    made.seconds));
+            continue;
+        }
         say(output.file, made.frames, made.width, made.height);
         if (!output.sheet.empty()) say(output.sheet, made.sheet_frames, size.width, size.height);
     }

@@ -10,6 +10,8 @@
 #include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "files/terrain/terrain_format.h"
+#include "film/beds/stored_beds.h"
+#include "film/beds/stored_still.h"
 #include "outputs/output_claims.h"
 #include "outputs/own_file.h"
 #include "run/drawing.h"
@@ -19,6 +21,7 @@
 #include "run/prepared_run.h"
 #include "run/still.h"
 #include "run/terminal/interrupt.h"
+#include "scene/overlay_keys.h"
 #include "scene/read.h"
 #include "scene/scene_files.h"
 #include "scene/terrain_scene.h"
@@ -41,9 +44,9 @@ struct StillOptions {
 
 void declare(CLI::App& command, StillOptions& options) {
     command
-        .add_option(
-            "INPUT", options.input,
-            "a scene (.toml), or terrain: " + terrain_titles() + "; - is either on standard input")
+        .add_option("INPUT", options.input,
+                    "a scene (.toml), the folder of a run that stored beds, or terrain: " +
+                        terrain_titles() + "; a scene or terrain on standard input is -")
         ->required();
     command
         .add_option("-o,--output", options.output,
@@ -70,6 +73,7 @@ void declare(CLI::App& command, StillOptions& options) {
     add_examples(
         command,
         {{"fumon still terada-barchans --step 500 -o dunes.png", "a step of a scene"},
+         {"fumon still out/run --step 500 -o dunes.png", "of a run that stored it, at once"},
          {"fumon still terrain.asc -o terrain.png", "a terrain file of your own"},
          {"fumon still terada-barchans -o dunes.webp --quality 80", "a small file"},
          {"fumon still terada-barchans -o dunes.exr", "its light, depth and fields"},
@@ -149,6 +153,29 @@ void claim_outputs(OutputClaims& claims, const Scene& scene, const std::string& 
     for (const fs::path& file : map_file_names(scene, picture)) claims.writes(file, was_own);
 }
 
+/// A picture of a bed that a run has stored; nothing is computed.
+void draw_stored(const StillOptions& options, const fs::path& folder) {
+    if (!options.heights.empty()) throw InputError(heights_of_scene);
+    const StoredBeds beds(folder, options.work.threads, options.work.settings);
+    std::size_t number = beds.beds().size() - 1;
+    if (options.step) number = bed_of_step(beds, *options.step);
+    if (options.time) number = bed_of_time(beds, *options.time);
+    const SharedSnapshot snapshot = beds.snapshot(number);
+    Scene scene = beds.scene();
+    check_still(scene, *snapshot, options.output);
+    OutputClaims claims(options.force);
+    claims.reads(beds.files());
+    if (options.output != standard_output) claim_outputs(claims, scene, options.output);
+    Progress progress(options.work.verbosity, static_cast<std::int64_t>(snapshot->bed.size()));
+    if (options.time)
+        progress.note(fmt::format("step {}, at {:g}, is the nearest to --time {:g} that was stored",
+                                  snapshot->step, beds.beds()[number].time, *options.time));
+    const std::vector<MeasuredRows> rows = beds.measurements(plotted_columns(scene));
+    stand_on_drawn_ground(scene.view, beds.first(), *snapshot);
+    draw_still({scene, beds.inputs(), rows[number]}, beds.first(), *snapshot, options.output,
+               options.work, progress);
+}
+
 int perform(const StillOptions& asked) {
     const InterruptGuard guard;
     const StillOptions options = with_coding(asked);
@@ -159,13 +186,19 @@ int perform(const StillOptions& asked) {
         check_ending(options.output, "a picture", picture_endings);
     }
     prepare_drawing(options.work);
+    const bool asks_step = options.step || options.time;
+    const std::optional<fs::path> run = run_folder_of(options.input);
+    if (run && (asks_step || fs::is_directory(options.input))) {
+        draw_stored(options, *run);
+        return 0;
+    }
     std::optional<StandardInput> given;
     if (is_standard_input(options.input)) given.emplace();
     PreparedRun prepared = prepare(options, given ? &*given : nullptr);
     OutputClaims claims(options.force);
     if (!given) claims.reads(options.input);
     claims.reads(scene_files(prepared.scene));
-    check_still(prepared, options.output);
+    check_still(prepared.scene, prepared.model->snapshot(), options.output);
     if (!to_standard_output) claim_outputs(claims, prepared.scene, options.output);
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(prepared.initial.bed.size()));
@@ -183,7 +216,8 @@ int perform(const StillOptions& asked) {
     const Snapshot present = prepared.model->snapshot();
     if (first) stand_on_drawn_ground(prepared.scene.view, *first, present);
     prepared.model.reset();  // a large bed is then in memory once
-    draw_still(prepared, first ? *first : present, present, options.output, options.work, progress);
+    draw_still(still_subject(prepared), first ? *first : present, present, options.output,
+               options.work, progress);
     return 0;
 }
 
@@ -191,7 +225,8 @@ int perform(const StillOptions& asked) {
 
 Command still_command() {
     return make_command<StillOptions>(
-        "still", "draw one picture, of a step of a scene or of a terrain file", declare, perform);
+        "still", "draw one picture, of a step of a scene or run, or of a terrain file", declare,
+        perform);
 }
 
 }  // namespace fumon

@@ -14,7 +14,9 @@
 #include "files/input_file.h"
 #include "files/json_text.h"
 #include "film/film_texts.h"
+#include "film/frame_sequence.h"
 #include "film/make_film.h"
+#include "film/timeline.h"
 #include "outputs/output_claims.h"
 #include "outputs/own_file.h"
 #include "picture/movie_format.h"
@@ -43,7 +45,7 @@ constexpr std::array<Purpose, 4> purposes{
      {"gif", "gif", "small", 12.5, 8 * bytes_per_megabyte, 0}}};
 
 bool is_picture(std::string_view format) {
-    return format == "sheet" || format == "poster";
+    return format == "sheet" || format == "poster" || format == "sequence";
 }
 
 void set_size(Film& film, std::string_view size) {
@@ -61,7 +63,7 @@ FilmOutput output_for(const Film& film, const fs::path& base, const std::string&
         if (purpose->rate > 0.0) output.film.settings.rate = purpose->rate;
         if (purpose->quality > 0) output.film.settings.quality = purpose->quality;
         output.most_bytes = purpose->most_bytes;
-    } else if (!is_picture(name) && find_movie_format(name) == nullptr) {
+    } else if (name == "sequence" || (!is_picture(name) && find_movie_format(name) == nullptr)) {
         std::vector<std::string> known{"sheet", "poster"};
         for (const Purpose& one : purposes) known.emplace_back(one.name);
         for (const MovieFormat& one : movie_formats()) known.emplace_back(one.name);
@@ -77,9 +79,10 @@ FilmOutput output_for(const Film& film, const fs::path& base, const std::string&
 std::string format_of(const Film& film, const fs::path& file) {
     const std::string ending = small_ending(file);
     const std::string& own = film.settings.format;
+    if (ending == ".png" && is_frame_sequence(file)) return "sequence";
     if (ending == ending_of(own)) return own;
     if (ending == ".png") return "poster";
-    std::string endings = ".png";
+    std::string endings = ".png, _%05d.png for one picture a frame";
     for (const MovieFormat& format : movie_formats()) {
         if (ending == format.ending) return std::string(format.name);
         if (endings.find(format.ending) == std::string::npos)
@@ -120,6 +123,17 @@ bool are_own_captions(fs::path captions) {
 
 }  // namespace
 
+namespace {
+
+/// Throws InputError for a name of one picture a frame where movies are asked for.
+void refuse_sequence(const fs::path& file, std::string_view option) {
+    if (!is_frame_sequence(file)) return;
+    throw InputError(fmt::format("{}: {} makes movies; name a file without the frame's number",
+                                 file.string(), option));
+}
+
+}  // namespace
+
 std::string ending_of(const std::string& format) {
     if (is_picture(format)) return ".png";
     return std::string(find_movie_format(format)->ending);
@@ -140,6 +154,7 @@ std::vector<FilmOutput> film_outputs(const Film& film, const fs::path& file,
         outputs.back().film.settings.format = format_of(film, file);
         return outputs;
     }
+    refuse_sequence(file, "--formats");
     for (const std::string& name : formats) {
         outputs.push_back(output_for(film, without_ending(file), name));
         if (most_bytes > 0) outputs.back().most_bytes = most_bytes;
@@ -148,6 +163,7 @@ std::vector<FilmOutput> film_outputs(const Film& film, const fs::path& file,
 }
 
 FilmOutput draft_output(const Film& film, const fs::path& file) {
+    refuse_sequence(file, "--draft");
     constexpr std::int64_t part_of_side = 4;
     constexpr double part_of_frames = 10.0;
     Film draft = film;
@@ -189,10 +205,17 @@ std::int64_t bytes_of_size(const std::string& text) {
 
 void claim_film(OutputClaims& claims, const FilmOutput& output) {
     const std::string& format = output.film.settings.format;
-    const bool movie = format != "sheet" && format != "poster";
+    if (format == "sequence") {
+        const std::int64_t frames = Timeline(output.film).frames();
+        for (std::int64_t frame = 0; frame < frames; ++frame) {
+            const fs::path file = sequence_file(output.file, frame);
+            claims.writes(file, is_own(file));
+        }
+        return;
+    }
     claims.writes(output.file, is_own(output.file));
     if (!output.sheet.empty()) claims.writes(output.sheet, is_own(output.sheet));
-    if (!movie) return;
+    if (is_picture(format)) return;
     if (!output.film.captions.empty()) {
         const fs::path captions = captions_of(output.file);
         claims.writes(captions, are_own_captions(captions));

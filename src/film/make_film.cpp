@@ -21,6 +21,7 @@
 #include "film/film_texts.h"
 #include "film/frame_cache.h"
 #include "film/frame_consumer.h"
+#include "film/frame_sequence.h"
 #include "film/frame_spool.h"
 #include "film/joined_film.h"
 #include "picture/colour_table.h"
@@ -104,6 +105,8 @@ class FilmMaker {
                 write_poster();
             } else if (format == "sheet") {
                 write_sheet();
+            } else if (format == "sequence") {
+                write_sequence();
             } else if (format == "gif" || output_.most_bytes > 0) {
                 write_in_tries();
             } else {
@@ -148,7 +151,8 @@ class FilmMaker {
     }
 
     /// Of a file of this film, with the hash of its pixels.
-    [[nodiscard]] PictureText texts_of(const Film& film, const Sha256Stream& pixels) const {
+    [[nodiscard]] PictureText texts_of(const Film& film, const Sha256Stream& pixels,
+                                       const std::string& environment) const {
         PictureText texts;
         if (!facts_.title.empty()) texts.emplace_back("Title", facts_.title);
         texts.emplace_back("Software", "fumon " FUMON_VERSION);
@@ -160,11 +164,16 @@ class FilmMaker {
         if (output_.most_bytes > 0)
             texts.emplace_back(most_bytes_keyword, fmt::format("{}", output_.most_bytes));
         texts.emplace_back("fumon:pixels-sha256", hex(pixels.so_far()));
-        texts.emplace_back("fumon:environment", environment_text(painter_->record().environment));
+        texts.emplace_back("fumon:environment", environment);
         return texts;
     }
 
-    [[nodiscard]] PictureText texts() const { return texts_of(film_, pixels_); }
+    /// On the thread that draws.
+    [[nodiscard]] std::string environment() const {
+        return environment_text(painter_->record().environment);
+    }
+
+    [[nodiscard]] PictureText texts() const { return texts_of(film_, pixels_, environment()); }
 
     void write_poster() {
         const double second = film_.settings.poster_second;
@@ -195,12 +204,29 @@ class FilmMaker {
         write_file(output_.file, encode_png(sheet.image(), sheet_dots_per_inch, texts()));
     }
 
+    /// Each frame as a poster, which `fumon again` draws alone.
+    void write_sequence() {
+        if (output_.goes_on) kept_.emplace(output_.file, identity());
+        const double dots_per_inch = beds_.scene().view.image.dots_per_inch;
+        const std::string drawn_by = environment();
+        Film film = film_;
+        film.settings.format = "poster";
+        draw_all([&, frame = std::int64_t{0}](const Image& image) mutable {
+            Sha256Stream pixels;
+            add_to_hash(pixels, image);
+            film.settings.poster_second = static_cast<double>(frame) / film_.settings.rate;
+            write_file(sequence_file(output_.file, frame++),
+                       encode_png(image, dots_per_inch, texts_of(film, pixels, drawn_by)));
+        });
+        if (kept_) kept_->finish();
+    }
+
     /// The sheet beside a movie, as one that is made alone.
     void write_sheet_beside(const ContactSheet& sheet, const Sha256Stream& pixels) {
         Film film = film_;
         film.settings.format = "sheet";
-        write_file(output_.sheet,
-                   encode_png(sheet.image(), sheet_dots_per_inch, texts_of(film, pixels)));
+        write_file(output_.sheet, encode_png(sheet.image(), sheet_dots_per_inch,
+                                             texts_of(film, pixels, environment())));
         made_.sheet_frames = static_cast<std::int64_t>(sheet.frames().size());
     }
 
@@ -244,7 +270,7 @@ class FilmMaker {
     /// All that decides the frames.
     [[nodiscard]] std::string identity() const {
         return film_toml(film_) + filmed_runs_text(runs_) + facts_.remake + FUMON_VERSION +
-               environment_text(painter_->record().environment);
+               environment();
     }
 
     /// Keeps the frames, and encodes them worse and smaller until they fit.
@@ -321,7 +347,7 @@ class FilmMaker {
     /// What stands beside the file.
     void write_beside() const {
         const std::string& name = film_.settings.format;
-        if (name == "sheet" || name == "poster") return;
+        if (find_movie_format(name) == nullptr) return;
         if (!film_.captions.empty()) {
             write_file(captions_of(output_.file),
                        subrip(ready_captions(film_, beds_.scene(), beds_.first(), facts_)));

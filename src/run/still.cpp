@@ -68,13 +68,17 @@ int advance_to_time(PreparedRun& prepared, double time, const std::string& asked
     return signal;
 }
 
-Drawing draw_snapshot(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
+StillSubject still_subject(const PreparedRun& prepared) {
+    return {prepared.scene, prepared.initial.inputs,
+            prepared.plotted ? prepared.plotted->rows() : MeasuredRows{}};
+}
+
+Drawing draw_snapshot(const StillSubject& subject, const Snapshot& first, const Snapshot& snapshot,
                       const WorkOptions& work) {
     WorkerPool pool(work.threads, "fumon-render");
     const auto painter =
-        make_frame_painter(prepared.scene, first, work.backend, pool, PaintedContent::one_picture);
-    const MeasuredRows rows = prepared.plotted ? prepared.plotted->rows() : MeasuredRows{};
-    return {painter->paint(snapshot, rows), painter->record()};
+        make_frame_painter(subject.scene, first, work.backend, pool, PaintedContent::one_picture);
+    return {painter->paint(snapshot, subject.rows), painter->record()};
 }
 
 namespace {
@@ -123,10 +127,10 @@ void write_bytes(const std::string& file, const std::vector<std::uint8_t>& bytes
     }
 }
 
-DrawnStill draw_exr(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
+DrawnStill draw_exr(const StillSubject& subject, const Snapshot& first, const Snapshot& snapshot,
                     const std::string& file, const WorkOptions& work, Progress& progress) {
     WorkerPool pool(work.threads, "fumon-render");
-    const Scene& scene = prepared.scene;
+    const Scene& scene = subject.scene;
     const auto painter =
         make_frame_painter(scene, first, work.backend, pool, PaintedContent::layers);
     LayeredImage layers = painter->paint_layers(snapshot);  // record() is of what is drawn by then
@@ -134,9 +138,8 @@ DrawnStill draw_exr(const PreparedRun& prepared, const Snapshot& first, const Sn
     const DrawingRecord& record = drawing.record;
     report_drawing(record, progress);
     const Sha256 hash = layers_hash(drawing.layers);
-    write_bytes(file,
-                exr_file(scene, drawing,
-                         text_of(scene, prepared.initial.inputs, snapshot.step, hash, record)));
+    write_bytes(file, exr_file(scene, drawing,
+                               text_of(scene, subject.inputs, snapshot.step, hash, record)));
     if (has_overlays(scene)) progress.note("overlays are not part of an OpenEXR file");
     if (record.exaggeration != 1.0)
         progress.note(fmt::format("vertical exaggeration {:g}", record.exaggeration));
@@ -180,11 +183,10 @@ void stand_on_drawn_ground(View& view, const Snapshot& first, const Snapshot& dr
     view = standing_on(view, shown ? *shown : first, present ? *present : drawn);
 }
 
-void check_still(const PreparedRun& prepared, const std::string& file) {
-    const Scene& scene = prepared.scene;
+void check_still(const Scene& scene, const Snapshot& snapshot, const std::string& file) {
     try {
         if (is_exr_name(file)) {
-            check_layers(scene, prepared.model->snapshot());
+            check_layers(scene, snapshot);
         } else {
             check_pixels(scene.view.image, picture_format(file));
         }
@@ -193,15 +195,14 @@ void check_still(const PreparedRun& prepared, const std::string& file) {
     }
 }
 
-DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
+DrawnStill draw_still(const StillSubject& subject, const Snapshot& first, const Snapshot& snapshot,
                       const std::string& file, const WorkOptions& work, Progress& progress) {
-    if (is_exr_name(file)) return draw_exr(prepared, first, snapshot, file, work, progress);
-    const Drawing drawing = draw_snapshot(prepared, first, snapshot, work);
+    if (is_exr_name(file)) return draw_exr(subject, first, snapshot, file, work, progress);
+    const Drawing drawing = draw_snapshot(subject, first, snapshot, work);
     report_drawing(drawing.record, progress);
-    const Scene& scene = prepared.scene;
+    const Scene& scene = subject.scene;
     const Sha256 pixels = pixel_hash(drawing.image);
-    const PictureText text =
-        text_of(scene, prepared.initial.inputs, snapshot.step, pixels, drawing.record);
+    const PictureText text = text_of(scene, subject.inputs, snapshot.step, pixels, drawing.record);
     const PictureFormat format = picture_format(file);
     write_bytes(file, pixel_file(scene, drawing, format, text));
     if (format == PictureFormat::jpeg && drawing.image.transparent())

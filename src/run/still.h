@@ -7,6 +7,8 @@
 #include "base/image.h"
 #include "base/snapshot.h"
 #include "files/hash.h"
+#include "files/input_file.h"
+#include "measure/measured_rows.h"
 #include "picture/stills/picture_file.h"
 #include "run/frame_painter.h"
 #include "run/prepared_run.h"
@@ -40,8 +42,19 @@ struct Drawing {
     DrawingRecord record;
 };
 
+/// What the stills of a run have in common: its scene, the files that it read, and what plots over
+/// them show. The scene and the files outlive it.
+struct StillSubject {
+    const Scene& scene;
+    const std::vector<InputFile>& inputs;
+    MeasuredRows rows{};
+};
+
+/// Of a run as far as its model has come.
+StillSubject still_subject(const PreparedRun& prepared);
+
 /// Draws a snapshot as the run's frame of that step; `first` is the run's first. Needs no model.
-Drawing draw_snapshot(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
+Drawing draw_snapshot(const StillSubject& subject, const Snapshot& first, const Snapshot& snapshot,
                       const WorkOptions& work);
 
 /// What a file is called that is to go to standard output.
@@ -67,12 +80,12 @@ std::vector<std::uint8_t> layers_file(const Scene& scene, const std::vector<Inpu
 /// standing_on(). Both snapshots as the model gives them.
 void stand_on_drawn_ground(View& view, const Snapshot& first, const Snapshot& drawn);
 
-/// Throws InputError where a still cannot be what the ending of its file says.
-void check_still(const PreparedRun& prepared, const std::string& file);
+/// Throws InputError where a still of such snapshots cannot be what the ending of its file says.
+void check_still(const Scene& scene, const Snapshot& snapshot, const std::string& file);
 
 /// Draws it and writes that file whole: by its ending a PNG, JPEG, WebP or OpenEXR file; the hash
 /// is that of the pixels as they are drawn, or layers_hash().
-DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
+DrawnStill draw_still(const StillSubject& subject, const Snapshot& first, const Snapshot& snapshot,
                       const std::string& file, const WorkOptions& work, Progress& progress);
 
 }  // namespace fumon

@@ -145,7 +145,8 @@ DrawnCase draw_whole_case(const Baseline& baseline, const BaselineCase& one, boo
                 ? advance_to_time(prepared, one.time, fmt::format("time {}", one.time), progress)
                 : advance_to(prepared, step_of(one, prepared.scene), progress);
         if (drawn.signal != 0) return drawn;
-        Drawing drawing = draw_snapshot(prepared, first, prepared.model->snapshot(), work);
+        Drawing drawing =
+            draw_snapshot(still_subject(prepared), first, prepared.model->snapshot(), work);
         drawn.record = {FUMON_VERSION,
                         drawing.record.environment,
                         hex(state_hash(*prepared.model)),

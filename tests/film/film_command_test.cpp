@@ -74,6 +74,24 @@ TEST_F(FilmCommandTest, MakesTheSameFilmOnAnyNumberOfThreads) {
     EXPECT_EQ(film({"-o", "mine.mp4"}).status, 2);
 }
 
+TEST_F(FilmCommandTest, APictureOfEachFrame) {
+    const Ended made = film({"-o", "shot_%03d.png"});
+    ASSERT_EQ(made.status, 0) << made.errors;
+    EXPECT_EQ(made.errors, "shot_000.png to shot_004.png: 5 pictures of 64 x 48 pixels, 1 s\n");
+    EXPECT_FALSE(fs::exists(folder_ / "shot_005.png"));
+    ASSERT_EQ(film({"-o", "poster.png", "--set", "film.poster_second=0.2"}).status, 0);
+    EXPECT_EQ(read_png(folder_ / "poster.png"), read_png(folder_ / "shot_001.png"));
+    EXPECT_NE(read_png(folder_ / "poster.png"), read_png(folder_ / "shot_002.png"));
+    EXPECT_EQ(fumon({"again", "shot_003.png", "-o", "third.png"}, folder_.path()).status, 0);
+    EXPECT_EQ(read_text(folder_ / "third.png"), read_text(folder_ / "shot_003.png"));
+    EXPECT_EQ(film({"-o", "shot_%03d.png"}).status, 0) << "its own files are replaced";
+    write_text(folder_ / "mine_2.png", "mine");
+    const Ended refused = film({"-o", "mine_%d.png"});
+    EXPECT_EQ(refused.status, 2) << refused.errors;
+    EXPECT_FALSE(fs::exists(folder_ / "mine_0.png"));
+    EXPECT_EQ(film({"-o", "shot_%d.png", "--draft"}).status, 2);
+}
+
 TEST_F(FilmCommandTest, AgainSimulatesItsRunsAndGivesTheSameBytes) {
     ASSERT_EQ(film({"-o", "f.mp4"}).status, 0);
     ASSERT_EQ(film({"-o", "f.webp", "--max-size", "2500"}).status, 0);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <thread>
 
+#include "picture/png.h"
 #include "run/picture_text.h"
 #include "scene/read.h"
 #include "support/program.h"
@@ -194,6 +195,27 @@ TEST_F(RenderCommandTest, AnotherLookIsDrawnFromTheSameBeds) {
     EXPECT_EQ(refused.status, 2);
     EXPECT_NE(refused.errors.find("model.creep_rate"), std::string::npos) << refused.errors;
     EXPECT_FALSE(fs::exists(*folder_ / "new"));
+}
+
+TEST_F(RenderCommandTest, AStillOfAStoredStepIsThatOfTheScene) {
+    ASSERT_EQ(fumon({"still", "scene.toml", "--step", "10", "-o", "computed.png"}, folder_->path())
+                  .status,
+              0);
+    ASSERT_EQ(fumon({"still", "beds", "--step", "10", "-o", "stored.png"}, folder_->path()).status,
+              0);
+    EXPECT_EQ(read_png(*folder_ / "stored.png"), read_png(*folder_ / "computed.png"));
+    ASSERT_EQ(fumon({"still", "beds/fields.nc", "--step", "20", "-o", "last.png"}, folder_->path())
+                  .status,
+              0);
+    ASSERT_EQ(fumon({"still", "beds", "-o", "end.png"}, folder_->path()).status, 0);
+    EXPECT_EQ(read_text(*folder_ / "end.png"), read_text(*folder_ / "last.png"));
+    EXPECT_NE(read_text(*folder_ / "end.png"), read_text(*folder_ / "stored.png"));
+    const Ended between = fumon({"still", "beds", "--step", "12", "-o", "no.png"}, folder_->path());
+    EXPECT_EQ(between.status, 2);
+    EXPECT_EQ(between.errors,
+              "beds: stored no bed of step 12, the nearest are of 10 and 15; take one of those, or "
+              "draw the scene (fumon still SCENE --step 12), which computes the step\n");
+    EXPECT_FALSE(fs::exists(*folder_ / "no.png"));
 }
 
 TEST_F(RenderCommandTest, WhatDoesNotFitIsRefused) {

@@ -93,7 +93,7 @@ class NumberRangeOfViews : public ::testing::Test {
         try {
             const PreparedRun run = prepared(text);
             const Snapshot first = run.model->snapshot();
-            const Image image = draw_snapshot(run, first, first, {}).image;
+            const Image image = draw_snapshot(still_subject(run), first, first, {}).image;
             return image.rgb.size() == 768 ? "drawn" : "a picture of another size";
         } catch (const InputError& refusal) {
             return refusal.what();
@@ -166,7 +166,8 @@ TEST_F(NumberRangeOfViews, OfCouplings) {
         heights[9] = -largest_height;
         model.set(bed, heights);
         const PreparedRun look = prepared(read_text(folder_ / "bed.toml"));
-        EXPECT_EQ(draw_snapshot(look, model.now(), model.now(), {}).image.rgb.size(), 768U)
+        EXPECT_EQ(draw_snapshot(still_subject(look), model.now(), model.now(), {}).image.rgb.size(),
+                  768U)
             << seen.lines;
         for (const double height : beyond(Ends{})) {
             heights[7] = height;
