@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -7,11 +8,14 @@
 
 #include "base/error.h"
 #include "base/standard_error.h"
+#include "base/worker_pool.h"
 #include "cli/command.h"
 #include "cli/examples.h"
 #include "cli/remark.h"
 #include "cli/shared_options.h"
+#include "film/beds/film_runs.h"
 #include "film/film_read.h"
+#include "film/joined_film.h"
 #include "film/timeline.h"
 #include "paper/figure_plan.h"
 #include "run/inputs/scene_argument.h"
@@ -30,6 +34,7 @@ namespace {
 struct CheckOptions {
     std::vector<std::string> scenes;
     std::vector<std::string> settings;
+    std::vector<std::string> runs;  ///< that a film is checked against
     bool as_json = false;
 };
 
@@ -38,11 +43,18 @@ void declare(CLI::App& command, CheckOptions& options) {
         .add_option("SCENE", options.scenes,
                     "scene files, and film files; - is a scene on standard input")
         ->required();
+    command
+        .add_option("--run", options.runs,
+                    "the folder of a run that a film is to be cut from: whether the film fits it")
+        ->type_name("RUN")
+        ->expected(1)
+        ->take_all();
     command.add_flag("--json", options.as_json, "as JSON");
     add_settings(command, options.settings, "override a scene key");
     add_examples(
         command,
         {{"fumon check my.toml", "all faults at once, each with its line"},
+         {"fumon check film.toml --run out/run", "a film with the run that it is to show"},
          {"fumon check terada-barchans --set model.creep_rate=0.3", "with a number changed"},
          {"fumon check my.toml film.toml --json", "for a program"}},
         "Exit status: 0 all are fine, 2 something is wrong.");
@@ -54,19 +66,34 @@ using Json = nlohmann::ordered_json;
 struct Fine {
     std::string words;
     Json facts;
+    std::vector<std::string> notes{};  ///< lines for the user
 };
 
 /// Of a film; nothing of what is no film.
-std::optional<Fine> checked_film(const std::string& file,
-                                 const std::vector<std::string>& settings) {
+std::optional<Fine> checked_film(const std::string& file, const std::vector<std::string>& settings,
+                                 const std::vector<std::string>& folders) {
     std::error_code fault;
     if (!std::filesystem::is_regular_file(file, fault)) return std::nullopt;
     const SceneText text = read_scene_text(file);
     if (!is_film(text.text, text.source)) return std::nullopt;
-    const Timeline timeline(parse_film(text.text, text.source, settings));
+    const Film film = parse_film(text.text, text.source, settings);
+    const Timeline timeline(film);
     const double seconds = static_cast<double>(timeline.frames()) / timeline.rate();
-    return Fine{fmt::format("a film of {} frames, {:.4g} s", timeline.frames(), seconds),
-                {{"kind", "film"}, {"frames", timeline.frames()}, {"seconds", seconds}}};
+    Fine fine{fmt::format("a film of {} frames, {:.4g} s", timeline.frames(), seconds),
+              {{"kind", "film"}, {"frames", timeline.frames()}, {"seconds", seconds}}};
+    if (folders.empty()) return fine;
+    const FilmRuns runs(folders, 1, arrangement_of(film));
+    WorkerPool pool(1, "fumon-check");
+    // All that a film needs is looked at before its first frame.
+    const auto frames = film_frames(
+        film, runs,
+        {film.settings.title.empty() ? runs.first().scene().title : film.settings.title, ""},
+        gl::Backend::automatic, pool);
+    fine.words += fmt::format(", which fits {}", fmt::join(folders, ", "));
+    fine.facts["runs"] = folders;
+    fine.facts["notes"] = frames->notes();
+    fine.notes = frames->notes();
+    return fine;
 }
 
 /// Of standard input.
@@ -77,10 +104,13 @@ Scene given_scene(const std::vector<std::string>& settings) {
     return parse_scene(input.scene(), read_settings(settings));
 }
 
-Fine checked(const std::string& file, const std::vector<std::string>& settings, FigureRuns& runs) {
+Fine checked(const std::string& file, const CheckOptions& options, FigureRuns& runs) {
+    const std::vector<std::string>& settings = options.settings;
     const bool given = is_standard_input(file);
     if (!given) {
-        if (auto film = checked_film(file, settings)) return *std::move(film);
+        if (auto film = checked_film(file, settings, options.runs)) return *std::move(film);
+        if (!options.runs.empty())
+            throw InputError(fmt::format("{}: is no film, and --run is for films", file));
     }
     const PreparedRun prepared =
         prepare_run(given ? given_scene(settings) : read_scene(file, settings), 1);
@@ -117,13 +147,17 @@ int perform(const CheckOptions& options) {
     for (const std::string& given : options.scenes) {
         Json one{{"file", given}};
         try {
-            const std::string file = is_standard_input(given) ? given : scene_argument(given);
+            const std::string file = is_standard_input(given) ? given
+                                     : options.runs.empty()   ? scene_argument(given)
+                                                              : film_file(given).string();
             one["file"] = file;
-            const Fine fine = checked(file, options.settings, runs);
+            const Fine fine = checked(file, options, runs);
             one["fine"] = true;
             one.update(fine.facts);
-            if (!options.as_json && !makes_no_remarks())
+            if (!options.as_json && !makes_no_remarks()) {
                 fmt::print("{}: fine ({})\n", file, fine.words);
+                for (const std::string& note : fine.notes) fmt::print("{}: {}\n", file, note);
+            }
         } catch (const InputError& fault) {
             one["fine"] = false;
             one["faults"] = fault.lines();

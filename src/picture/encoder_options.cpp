@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fumon {
 
@@ -15,8 +16,22 @@ int scaled(int quality, int highest) {
 
 }  // namespace
 
+int h264_kilobits(const MovieSize& size, int quality) {
+    constexpr double usual_pixels = 1920.0 * 1080.0 * 30.0;
+    constexpr double usual_kilobits = 16000.0;
+    constexpr double least = 2000.0;
+    constexpr double most = 800000.0;  // of the highest level
+    constexpr double usual_quality = 18.0;
+    constexpr double halving = 6.0;
+    const double pixels = static_cast<double>(size.width) * size.height * size.rate;
+    const double kilobits = usual_kilobits * std::pow(pixels / usual_pixels, 0.75) *
+                            std::exp2((usual_quality - quality) / halving);
+    return static_cast<int>(std::lround(std::clamp(kilobits, least, most)));
+}
+
 std::vector<std::pair<std::string, std::string>> encoder_options(const MovieFormat& format,
-                                                                 int quality, bool quickly) {
+                                                                 const MovieSize& size, int quality,
+                                                                 bool quickly) {
     const std::string crf = fmt::format("{}", quality);
     if (format.name == "h264") {
         // The same choices whatever instructions the processor has; even parts get bits enough to
@@ -24,8 +39,10 @@ std::vector<std::pair<std::string, std::string>> encoder_options(const MovieForm
         return {{"preset", quickly ? "ultrafast" : "veryfast"},
                 {"crf", crf},
                 {"x264-params",
-                 "cpu-independent=1:aq-mode=3:aq-strength=1.7:deadzone-inter=4:deadzone-intra=4:"
-                 "no-dct-decimate=1:deblock=-2,-2"}};
+                 fmt::format("cpu-independent=1:aq-mode=3:aq-strength=1.7:deadzone-inter=4:"
+                             "deadzone-intra=4:no-dct-decimate=1:deblock=-2,-2:vbv-maxrate={0}:"
+                             "vbv-bufsize={0}",
+                             h264_kilobits(size, quality))}};
     }
     if (format.name == "hevc") {
         return {{"preset", "fast"},

@@ -207,8 +207,8 @@ void Movie::Parts::open_codec(AVRational rate) {
     codec->flags |= AV_CODEC_FLAG_BITEXACT;
     if (coding.format.muxer != "gif" && coding.format.muxer != "webp")
         codec->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
-    for (const auto& [option, value] :
-         encoder_options(coding.format, coding.quality, coding.quickly)) {
+    for (const auto& [option, value] : encoder_options(coding.format, {width, height, av_q2d(rate)},
+                                                       coding.quality, coding.quickly)) {
         if (option == "tag") {
             codec->codec_tag = 0;
             for (std::size_t i = value.size(); i-- > 0;)

@@ -74,6 +74,23 @@ TEST_F(FilmCommandTest, MakesTheSameFilmOnAnyNumberOfThreads) {
     EXPECT_EQ(film({"-o", "mine.mp4"}).status, 2);
 }
 
+TEST_F(FilmCommandTest, IsCheckedWithItsRun) {
+    write_text(folder_ / "wrong.toml", "[[shot]]\nto = 21\n");
+    const auto check = [&](const std::string& file, const std::vector<std::string>& more = {}) {
+        std::vector<std::string> arguments{"check", file};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return fumon(arguments, folder_.path());
+    };
+    EXPECT_EQ(check("wrong.toml").status, 0) << "of the runs it could be cut from none is known";
+    const Ended wrong = check("wrong.toml", {"--run", "out"});
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_EQ(wrong.errors, "wrong.toml:2:6: shot.0.to = 21: the stored beds have steps 0 to 20\n");
+    const Ended fits = check("film.toml", {"--run", "out"});
+    EXPECT_EQ(fits.status, 0) << fits.errors;
+    EXPECT_EQ(fits.output, "film.toml: fine (a film of 5 frames, 1 s, which fits out)\n");
+    EXPECT_EQ(check("scene.toml", {"--run", "out"}).status, 2);
+}
+
 TEST_F(FilmCommandTest, APictureOfEachFrame) {
     const Ended made = film({"-o", "shot_%03d.png"});
     ASSERT_EQ(made.status, 0) << made.errors;

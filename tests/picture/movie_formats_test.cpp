@@ -11,11 +11,13 @@ extern "C" {
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "picture/colour_table.h"
+#include "picture/encoder_options.h"
 #include "picture/movie.h"
 #include "support/temporary_folder.h"
 
@@ -195,6 +197,36 @@ INSTANTIATE_TEST_SUITE_P(All, MovieFormats,
                          testing::Values("h264", "hevc", "av1", "webm", "prores", "ffv1", "webp",
                                          "gif", "apng"),
                          [](const auto& one) { return one.param; });
+
+// What plays from a slide: at most the 25 Mbit/s of High 4.0 at 1080p.
+TEST(MovieFormats, H264TakesNoMoreBitsThanItsLevelAllows) {
+    EXPECT_EQ(h264_kilobits({1920, 1080, 30.0}, 18), 16000);
+    EXPECT_EQ(h264_kilobits({1080, 1920, 30.0}, 24), 8000);
+    EXPECT_EQ(h264_kilobits({3840, 2160, 30.0}, 18), 45255);  // 16,000 times 4 to the power 3/4
+    EXPECT_EQ(h264_kilobits({64, 48, 10.0}, 18), 2000);
+
+    const test::TemporaryFolder folder;
+    const std::filesystem::path file = folder / "noise.mp4";
+    constexpr int frames = 60;
+    {
+        Movie movie(file, 320, 240, 30.0, MovieCoding{*find_movie_format("h264"), 1});
+        std::uint32_t state = 1;
+        for (int frame = 0; frame < frames; ++frame) {
+            Image image(320, 240);
+            for (std::uint8_t& value : image.rgb) {
+                state = state * 1664525U + 1013904223U;
+                value = static_cast<std::uint8_t>(state >> 24U);
+            }
+            movie.add(image);
+        }
+        movie.finish({});
+    }
+    const double most = 1000.0 * h264_kilobits({320, 240, 30.0}, 1);
+    const double seconds = frames / 30.0;
+    const double bits = 8.0 * static_cast<double>(std::filesystem::file_size(file));
+    EXPECT_LT(bits, most * (seconds + 1.0)) << "a second more is in the decoder's buffer";
+    EXPECT_GT(bits, 0.5 * most * seconds) << "noise takes what it may";
+}
 
 TEST(ColourTable, KeepsFewColoursAsTheyAreAndManyNearby) {
     Image few(64, 64);
