@@ -94,6 +94,17 @@ WindOnGrid wind_on_grid(const Snapshot& snapshot) {
             direction.has_value()};
 }
 
+/// Where the only dune of the row before was, for its speed; step −1 where there was no such.
+struct LoneDuneBefore {
+    std::int64_t step = -1;
+    double place = 0.0;
+};
+
+struct MovedDunes {
+    IsolatedDunes dunes;
+    double sites_per_step = std::numeric_limits<double>::quiet_NaN();
+};
+
 MeasureGroup no_columns() {
     return {{}, [](const Snapshot&, const std::vector<bool>&) { return std::vector<double>(); }};
 }
@@ -243,18 +254,42 @@ MeasureGroup dune_group() {
 
 MeasureGroup isolated_dune_group(const Snapshot& first) {
     if (first.winds.empty() || field_of(first.fields, "sand") == nullptr) return no_columns();
-    return group_of<IsolatedDunes>(
-        of_whole_beds([](const Snapshot& snapshot) {
+    const auto before = std::make_shared<LoneDuneBefore>();
+    MeasureGroup group = group_of<MovedDunes>(
+        of_whole_beds([before](const Snapshot& snapshot) {
             const Grid* sand = field_of(snapshot.fields, "sand");
-            return isolated_dunes(sand != nullptr ? *sand : snapshot.bed, snapshot.periodic,
-                                  wind_on_grid(snapshot));
+            MovedDunes now{isolated_dunes(sand != nullptr ? *sand : snapshot.bed, snapshot.periodic,
+                                          wind_on_grid(snapshot))};
+            if (!snapshot.periodic && before->step >= 0 && snapshot.step > before->step) {
+                now.sites_per_step = (now.dunes.place - before->place) /
+                                     static_cast<double>(snapshot.step - before->step);
+            }
+            *before = {};
+            if (now.dunes.count == 1) *before = {snapshot.step, now.dunes.place};
+            return now;
         }),
         {{"lone_dune_count", "", "dunes with one summit, which touch no other",
-          [](const IsolatedDunes& dunes) { return static_cast<double>(dunes.count); }},
+          [](const MovedDunes& now) { return static_cast<double>(now.dunes.count); }},
          {"lone_dune_horns_downwind", "", "share of them whose horns point downwind",
-          &IsolatedDunes::share_horns_downwind},
+          [](const MovedDunes& now) { return now.dunes.share_horns_downwind; }},
          {"lone_dune_height_to_width", "heights/site", "median of their height over their width",
-          &IsolatedDunes::height_to_width}});
+          [](const MovedDunes& now) { return now.dunes.height_to_width; }},
+         {"lone_dune_height", "heights", "median of their height",
+          [](const MovedDunes& now) { return now.dunes.height; }},
+         {"lone_dune_width", "sites", "median of their width across the wind",
+          [](const MovedDunes& now) { return now.dunes.width; }},
+         {"lone_dune_length", "sites", "median of their length along the wind, horns and all",
+          [](const MovedDunes& now) { return now.dunes.length; }},
+         {"lone_dune_volume_ratio", "", "volume of the second largest of them over the largest",
+          [](const MovedDunes& now) { return now.dunes.volume_ratio; }},
+         {"lone_dune_speed", "sites/step",
+          "of the only one over open edges, downwind, since the row before",
+          &MovedDunes::sites_per_step}});
+    group.serialise = [before](StateArchive& archive) {
+        archive.value("step_of_lone_dune_before", before->step);
+        archive.value("place_of_lone_dune_before", before->place);
+    };
+    return group;
 }
 
 MeasureGroup crest_direction_group(const Snapshot& first, const SharedFindings& findings) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -23,24 +24,28 @@ constexpr std::int64_t least_top_cells = 5;
 /// A piece that may stand alone.
 struct Candidate {
     double height = 0.0;
-    double width = 0.0;  ///< columns' breadths
+    double volume = 0.0;
+    double moment = 0.0;  ///< of the volume along the wind
+    double width = 0.0;   ///< columns' breadths
+    double length = 0.0;
     int tops = 0;
     int outlines = 0;
     double horn_lag = std::numeric_limits<double>::quiet_NaN();
 };
 
-double width_of(std::span<const RowRun> runs, const WindOnGrid& wind) {
-    double right = std::numeric_limits<double>::infinity();
-    double left = -right;
+/// Columns' breadths between the outermost cells along a direction, these included.
+double extent_along(std::span<const RowRun> runs, const HorizontalDirection& direction,
+                    double cell_aspect) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
     for (const RowRun& run : runs) {
         for (const int x : {run.first, run.last}) {
-            const double across =
-                run.y * wind.cell_aspect * wind.direction.x - x * wind.direction.y;
-            right = std::min(right, across);
-            left = std::max(left, across);
+            const double place = x * direction.x + run.y * cell_aspect * direction.y;
+            least = std::min(least, place);
+            most = std::max(most, place);
         }
     }
-    return left - right + 1.0;
+    return most - least + 1.0;
 }
 
 /// The cells of a run, which lies within a row of the bed but for whole periods.
@@ -77,9 +82,18 @@ IsolatedDunes isolated_dunes(const Grid& sand, bool periodic, const WindOnGrid& 
             const auto cells = cells_of(sand, run);
             candidate.height =
                 std::max(candidate.height, *std::max_element(cells.begin(), cells.end()));
+            double x = run.first;
+            for (const double height : cells) {
+                candidate.volume += height;
+                candidate.moment +=
+                    height * (x * wind.direction.x + run.y * wind.cell_aspect * wind.direction.y);
+                x += 1.0;
+            }
         }
         if (candidate.height < least_height_share * thickest) continue;
-        candidate.width = width_of(runs, wind);
+        const HorizontalDirection& downwind = wind.direction;
+        candidate.width = extent_along(runs, {-downwind.y, downwind.x}, wind.cell_aspect);
+        candidate.length = extent_along(runs, downwind, wind.cell_aspect);
         heights[k] = candidate.height;
         candidate_of[k] = candidates.size();
         candidates.push_back(candidate);
@@ -99,17 +113,34 @@ IsolatedDunes isolated_dunes(const Grid& sand, bool periodic, const WindOnGrid& 
         candidate.horn_lag = horn_lag(outlines.runs_of(outline), wind);
     }
     std::vector<double> proportions;
+    std::vector<double> lone_heights;
+    std::vector<double> widths;
+    std::vector<double> lengths;
+    std::vector<double> volumes;
     int with_lag = 0;
     int downwind = 0;
     for (const Candidate& candidate : candidates) {
         if (candidate.tops != 1 || candidate.outlines != 1) continue;
         ++found.count;
         proportions.push_back(candidate.height / candidate.width);
+        lone_heights.push_back(candidate.height);
+        widths.push_back(candidate.width);
+        lengths.push_back(candidate.length);
+        volumes.push_back(candidate.volume);
+        found.place = candidate.moment / candidate.volume;
         if (std::isnan(candidate.horn_lag)) continue;
         ++with_lag;
         if (candidate.horn_lag > 0.0) ++downwind;
     }
     found.height_to_width = median(proportions);
+    if (found.count != 1) found.place = std::numeric_limits<double>::quiet_NaN();
+    found.height = median(lone_heights);
+    found.width = median(widths);
+    found.length = median(lengths);
+    if (volumes.size() > 1) {
+        std::ranges::partial_sort(volumes, volumes.begin() + 2, std::ranges::greater());
+        found.volume_ratio = volumes[1] / volumes[0];
+    }
     if (with_lag > 0) found.share_horns_downwind = static_cast<double>(downwind) / with_lag;
     return found;
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -166,7 +167,53 @@ TEST(IsolatedDunes, LeaveOutWhatTouches) {
     EXPECT_EQ(found.count, 1);
     EXPECT_EQ(found.share_horns_downwind, 1.0);
     EXPECT_NEAR(found.height_to_width, 1.5 / 9.0, 0.03);
+    EXPECT_NEAR(found.height, 1.5, 0.05);
+    EXPECT_EQ(found.width, 9.0) << "odd rows within 4.1 cells of its middle";
+    EXPECT_EQ(found.length, 6.0) << "its horns trail";
+    EXPECT_TRUE(std::isnan(found.volume_ratio)) << "there is no second one";
     EXPECT_EQ(separate_dunes(bed, true).dunes.size(), 1U) << "the small one lies below the level";
+}
+
+/// Blocks of sand under a wind toward −y: extents, and the second largest volume over the largest.
+TEST(IsolatedDunes, HaveExtentsAcrossAndAlongTheWindAndARatioOfVolumes) {
+    Grid bed(60, 40);
+    const auto block = [&](int x0, int y0, int nx, int ny, double height) {
+        for (int y = y0; y < y0 + ny; ++y) {
+            for (int x = x0; x < x0 + nx; ++x) bed(x, y) = height;
+        }
+    };
+    block(5, 5, 10, 20, 2.0);
+    block(25, 5, 8, 12, 2.5);
+    block(45, 5, 5, 6, 3.0);
+    const IsolatedDunes found = isolated_dunes(bed, false, {{0.0, -1.0}, 1.5});
+    EXPECT_EQ(found.count, 3);
+    EXPECT_EQ(found.height, 2.5);
+    EXPECT_EQ(found.width, 8.0);
+    EXPECT_EQ(found.length, 1.5 * 11.0 + 1.0) << "rows are 1.5 columns' breadths wide";
+    EXPECT_NEAR(found.volume_ratio, (8 * 12 * 2.5) / (10 * 20 * 2.0), 1e-12);
+    EXPECT_TRUE(std::isnan(found.place)) << "of which?";
+    std::ranges::fill(bed.values(), 0.0);
+    block(25, 5, 8, 12, 2.5);
+    EXPECT_NEAR(isolated_dunes(bed, false, {{0.0, -1.0}, 1.5}).place, -1.5 * 10.5, 1e-12);
+    EXPECT_NEAR(isolated_dunes(bed, false, {}).place, 28.5, 1e-12);
+}
+
+TEST(IsolatedDunes, MoveDownwindOverOpenEdges) {
+    std::vector<Snapshot> snapshots;
+    for (const int moved : {0, 3, 10}) {
+        const Grid bed = test::bed_of(60, 30, [&](int x, int y) {
+            return std::max(0.0, 4.0 - 0.1 * std::hypot(x - 20.0 + moved, y - 15.0) *
+                                           std::hypot(x - 20.0 + moved, y - 15.0));
+        });
+        snapshots.push_back(snapshot_of(bed, 2 * moved, {{-1.0, 0.0, 80.0}}));
+        snapshots.back().periodic = false;
+    }
+    const std::vector<double> speed = measured(snapshots, "lone_dune_speed");
+    EXPECT_TRUE(std::isnan(speed.at(0)));
+    EXPECT_NEAR(speed.at(1), 0.5, 1e-9);
+    EXPECT_NEAR(speed.at(2), 0.5, 1e-9);
+    for (Snapshot& snapshot : snapshots) snapshot.periodic = true;
+    EXPECT_TRUE(std::isnan(measured(snapshots, "lone_dune_speed").at(2))) << "celerity says it";
 }
 
 }  // namespace
