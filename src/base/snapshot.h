@@ -88,6 +88,9 @@ struct Snapshot {
     /// The rain between two times of the run, metres: of every cell, or one value for all of them.
     /// Asked for where it is shown. Empty where the model knows no rain.
     std::function<Grid(double from, double until)> rain{};
+    /// Metres, of plants of the fields "grass" and "shrubs" where their cover is whole.
+    double grass_height = 0.45;
+    double shrub_height = 1.1;
 };
 
 }  // namespace fumon

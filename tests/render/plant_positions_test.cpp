@@ -49,6 +49,19 @@ TEST(PlantPositions, AreAsManyAsTheCoverSays) {
         shrubs, [](const Plant& plant) { return plant.kind == PlantKind::shrub; }));
 }
 
+TEST(PlantPositions, AreAsHighAsTheSnapshotSays) {
+    Snapshot snapshot = planted(1.0, 1.0);
+    const auto usual = positions(snapshot);
+    snapshot.grass_height = 0.9;
+    snapshot.shrub_height = 3.3;
+    const auto high = positions(snapshot);
+    ASSERT_EQ(high.size(), usual.size());
+    for (std::size_t i = 0; i < high.size(); ++i) {
+        const float times = high[i].kind == PlantKind::shrub ? 3.0F : 2.0F;
+        ASSERT_NEAR(high[i].height / usual[i].height, times, 1e-4F);
+    }
+}
+
 TEST(PlantPositions, PlantsGrowWhereTheyStandAsTheCoverGrows) {
     const auto before = positions(planted(0.4, 0.0));
     const auto after = positions(planted(0.45, 0.0));

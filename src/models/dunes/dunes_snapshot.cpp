@@ -135,6 +135,8 @@ void Dunes::add_plants(Snapshot& snapshot) const {
     snapshot.fields.push_back({"cover", "plants of both species, 0 to 1", "1", plants_->cover()});
     snapshot.fields.push_back({"grass", "grass, 0 to 1", "1", plants_->grass()});
     snapshot.fields.push_back({"shrubs", "shrubs, 0 to 1", "1", plants_->shrubs()});
+    snapshot.grass_height = parameters_.grass.height;
+    snapshot.shrub_height = parameters_.shrubs.height;
     if (shelter_) {
         shelter_->find(schedule_.at(steps_));
         Grid slowed(ground_.nx, ground_.ny);

@@ -13,8 +13,6 @@ namespace fumon {
 
 namespace {
 
-constexpr double grass_height_m = 0.45;
-constexpr double shrub_height_m = 1.1;
 constexpr double tufts_per_square_metre = 5.0;
 constexpr double shrubs_per_square_metre = 0.8;
 constexpr double max_per_cell = 40.0;
@@ -60,8 +58,8 @@ std::vector<Plant> plant_positions(const Snapshot& snapshot, const Block& block,
                           static_cast<float>(share * count / slots),
                           static_cast<float>(height * metre)});
     };
-    stand(PlantKind::grass, "grass", tufts_per_square_metre, grass_height_m);
-    stand(PlantKind::shrub, "shrubs", shrubs_per_square_metre, shrub_height_m);
+    stand(PlantKind::grass, "grass", tufts_per_square_metre, snapshot.grass_height);
+    stand(PlantKind::shrub, "shrubs", shrubs_per_square_metre, snapshot.shrub_height);
     if (stands.empty() || share <= 0.0) return found;
 
     const glm::vec2 cell(block.width_x / nx, block.width_y / ny);

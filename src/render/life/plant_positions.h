@@ -24,9 +24,9 @@ struct Plant {
 
 /// Plants as the fields "grass" and "shrubs" cover the cells (0 … 1), `share` of them: each stands
 /// at a point of its own, which chance gave it, and comes up where the cover is greater than its
-/// own threshold, so that from frame to frame plants grow and wither where they are. Grass grows to
-/// 0.45 m and shrubs to 1.1 m; without metres a cell counts as one. Row by row; none where there
-/// are no such fields.
+/// own threshold, so that from frame to frame plants grow and wither where they are. They grow to
+/// Snapshot::grass_height and shrub_height; without metres a cell counts as one. Row by row; none
+/// where there are no such fields.
 std::vector<Plant> plant_positions(const Snapshot& snapshot, const Block& block, double share);
 
 }  // namespace fumon

@@ -123,6 +123,8 @@ Snapshot coarser(const Snapshot& snapshot, int k) {
     shown.section = snapshot.section;
     shown.landform = snapshot.landform;
     shown.winds = snapshot.winds;
+    shown.grass_height = snapshot.grass_height;
+    shown.shrub_height = snapshot.shrub_height;
     if (snapshot.rain) {
         shown.rain = [rain = snapshot.rain, nodata = snapshot.nodata, k](double from,
                                                                          double until) {
