@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/compensated_sum.h"
-#include "measure/bed/row_passes.h"
+#include "measure/bed/row_pass_vectors.h"
 
 namespace fumon {
 

@@ -7,7 +7,7 @@
 
 #include "base/elementary_angle.h"
 #include "base/units.h"
-#include "measure/bed/row_passes.h"
+#include "measure/bed/row_pass_vectors.h"
 
 namespace fumon {
 

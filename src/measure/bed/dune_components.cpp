@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "measure/bed/periodic_wrap.h"
-#include "measure/bed/row_passes.h"
+#include "measure/bed/row_pass_vectors.h"
 
 namespace fumon {
 

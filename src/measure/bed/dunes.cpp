@@ -7,7 +7,7 @@
 #include <span>
 
 #include "measure/bed/periodic_wrap.h"
-#include "measure/bed/row_passes.h"
+#include "measure/bed/row_pass_vectors.h"
 
 namespace fumon {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "measure/bed/row_passes.h"
+#include "measure/bed/row_pass_vectors.h"
 
 namespace fumon {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "measure/bed/row_passes.h"
+#include "measure/bed/row_pass_vectors.h"
 #include "measure/bed/sampled_rank.h"
 #include "measure/shared/undefined.h"
 

@@ -1,12 +1,12 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "measure/bed/row_passes.cpp"
+#define HWY_TARGET_INCLUDE "measure/bed/row_pass_vectors.cpp"
 #include <hwy/foreach_target.h>
 // Those below are included once for each target.
 #include <hwy/highway.h>
 
 #include <algorithm>
 
-#include "measure/bed/row_passes.h"
+#include "measure/bed/row_pass_vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumon::row_passes {
