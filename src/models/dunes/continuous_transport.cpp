@@ -127,6 +127,12 @@ void ContinuousTransport::lift(DuneBed& bed, const Wind& wind, double layer, int
     const auto surface = bed.surface.row(y);
     const auto rock = bed.rock.row(y);
     const auto moving = bed.moving.row(y);
+    if (wind.before_walls == nullptr && wind.sheltered == nullptr && wind.plants == nullptr) {
+        drift_vectors::lift(surface.size(), layer, greatest_lift, wind.shade.row(y).data(),
+                            wind.shear != nullptr ? wind.shear->row(y).data() : nullptr,
+                            rock.data(), surface.data(), moving.data());
+        return;
+    }
     for (std::size_t x = 0; x < surface.size(); ++x) {
         const double factor = lift_factor(wind, static_cast<int>(x), y);
         const auto wanted = static_cast<std::int64_t>(layer * factor);
@@ -418,6 +424,12 @@ void ContinuousTransport::deposit(FixedPointGrid& on, DuneBed& bed, const Wind& 
     const auto shaded = wind.shade.row(y);
     const double on_rock = parameters_.deposit_on_rock;
     const double more_on_sand = parameters_.deposit_on_sand - on_rock;
+    if (wind.plants == nullptr && wind.before_walls == nullptr) {
+        drift_vectors::deposit(
+            surface.size(), {on_rock, more_on_sand, 1.0 / thickness, hops_.landing}, shaded.data(),
+            rock.data(), arrived.data(), surface.data(), moving.data(), landed.data());
+        return;
+    }
     for (std::size_t x = 0; x < surface.size(); ++x) {
         const auto sand = static_cast<double>(surface[x] - rock[x]);
         const double cover = std::min(sand * (1.0 / thickness), 1.0);

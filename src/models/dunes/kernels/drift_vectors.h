@@ -43,4 +43,24 @@ struct Slopes {
 void drift_down(const Slopes& row, std::size_t begin, std::size_t end, double share_x,
                 double share_y, std::int64_t* after);
 
+/// Lifts from a row's cells the layer times (1 − shade) and, where there is a shear stress, times
+/// 1 + shear between 0 and `greatest`, as far as there is sand: from the surface to what moves.
+void lift(std::size_t count, double layer, double greatest, const double* shade,
+          const double* shear, const std::int64_t* rock, std::int64_t* surface,
+          std::int64_t* moving);
+
+/// How much of what arrives stays.
+struct Staying {
+    double on_rock;
+    double more_on_sand;    ///< where the cover is full
+    double per_full_cover;  ///< 1 / its thickness, in units of sand
+    double landing;         ///< the share that ends its hop
+};
+
+/// Of what arrives in a row's cells the larger of the shade and of the cover's share stays, times
+/// the share that lands; the rest moves on. `landed` takes all of it.
+void deposit(std::size_t count, const Staying& share, const double* shade, const std::int64_t* rock,
+             const std::int64_t* arrived, std::int64_t* surface, std::int64_t* moving,
+             std::int64_t* landed);
+
 }  // namespace fumon::drift_vectors
