@@ -127,7 +127,7 @@ void ContinuousTransport::lift(DuneBed& bed, const Wind& wind, double layer, int
     const auto surface = bed.surface.row(y);
     const auto rock = bed.rock.row(y);
     const auto moving = bed.moving.row(y);
-    if (wind.before_walls == nullptr && wind.sheltered == nullptr && wind.plants == nullptr) {
+    if (wind.plants == nullptr && wind.sheltered == nullptr && wind.before_walls == nullptr) {
         drift_vectors::lift(surface.size(), layer, greatest_lift, wind.shade.row(y).data(),
                             wind.shear != nullptr ? wind.shear->row(y).data() : nullptr,
                             rock.data(), surface.data(), moving.data());
