@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # tests/bench/run.sh MACHINE [TARGET]: builds the benchmarks, runs every row that has a plain loop beside it, and writes the rows into
-# results/MACHINE.csv and README.md's tables: fumon on all processors, the plain loop on one, their ratio. TARGET (plain, sse4,
+# results/MACHINE.csv and README.md's tables: fumon on all processors, the plain loop on one, their ratio; what records cost
+# goes into results/records/MACHINE.csv. TARGET (plain, sse4,
 # avx2, avx512, neon; default: the best that the processor has) is what fumon's loops for vectors take; the plain loops are
 # compiled for a processor that has no more. BUILD (build/bench) is where it builds, FILTER (a regular expression) which
 # benchmarks it runs. Run it on a machine with nothing else to do.
@@ -25,7 +26,7 @@ esac
 
 benches=(sand_bench gully_bench finite_volume_bench airflow_bench verify_bench)
 cmake --preset release -B "$build" -DFUMON_BENCHMARKS=ON "-DFUMON_PLAIN_FLAGS=$flags" > /dev/null
-cmake --build "$build" --target "${benches[@]}" > /dev/null
+cmake --build "$build" --target "${benches[@]}" records_bench > /dev/null
 
 taken=$("$build/tests/bench/sand_bench" --benchmark_list_tests | sed -n 's/^vector target: //p')
 processor=$(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1)
@@ -48,4 +49,6 @@ done)
 said="${processor:-$(uname -m)}, $(nproc) processors; plain loops: $(c++ --version | head -n 1) -O3 ${flags//;/ }; $(date -u +%F); $(git describe --always --dirty)"
 printf '%s\n' "$rows" | python3 tests/bench/table.py --add "tests/bench/results/$machine.csv" "$taken" "$said"
 python3 tests/bench/table.py
+"$build/tests/bench/records_bench" --benchmark_filter="$filter" --benchmark_format=json 2> /dev/null |
+    python3 tests/bench/records.py "tests/bench/results/records/$machine.csv" "$taken" "$said"
 printf '%s\n' "$rows"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "measure/shared/sampled_rank.h"
+#include "measure/bed/sampled_rank.h"
 #include "measure/shared/undefined.h"
 
 namespace fumon {

@@ -112,7 +112,10 @@ double deviation_of_rows(const Grid& bed, bool periodic) {
 /// From `a` to `b` along x, the short way round a periodic bed.
 double step_along_x(double a, double b, double period) {
     const double step = b - a;
-    return period > 0.0 ? step - period * std::round(step / period) : step;
+    if (!(period > 0.0)) return step;
+    const double periods = step / period;
+    if (std::abs(periods) < 0.5) return step;  // mostly: without a call
+    return step - period * std::round(periods);
 }
 
 /// A row of crests, and the first of them that is not left of the place last asked for: the next
@@ -133,13 +136,17 @@ class CrestRow {
         while (after_ < end_ && x_[after_] < x) ++after_;
         int found = none;
         double distance = 0.0;
-        for (const int candidate :
-             {begin_, std::max(begin_, after_ - 1), std::min(after_, end_ - 1), end_ - 1}) {
+        const auto ask = [&](int candidate) {
             const double here = std::abs(step_along_x(x, x_[candidate], period));
-            if (found != none && here >= distance) continue;
+            if (found != none && here >= distance) return;
             found = candidate;
             distance = here;
-        }
+        };
+        const bool at_end = after_ - 1 <= begin_ || after_ + 1 >= end_;
+        if (at_end) ask(begin_);
+        ask(std::max(begin_, after_ - 1));
+        ask(std::min(after_, end_ - 1));
+        if (at_end) ask(end_ - 1);
         return found;
     }
 

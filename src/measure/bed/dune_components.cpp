@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "measure/bed/periodic_wrap.h"
+#include "measure/bed/row_pass_vectors.h"
 
 namespace fumon {
 
@@ -85,20 +86,18 @@ struct Runs {
     std::vector<std::size_t> row_begin;
 };
 
-/// Adds the runs of the cells of a row, from `first` on, that are high. Cells are compared without
-/// branches, since noise has no pattern, and runs found where bits change.
-template <class IsHigh>
-void add_runs(std::span<const double> cells, int y, int first, const IsHigh& is_high,
+/// Adds the runs of a row of `count` cells, from `first` on, by the bits of those that are high:
+/// noise has no pattern, so runs are found where bits change.
+void add_runs(std::span<const std::uint64_t> words, std::size_t count, int y, int first,
               std::vector<RowRun>& runs) {
     constexpr std::size_t word = 64;
+    std::uint64_t before = 0;
     bool open = false;
-    for (std::size_t begin = 0; begin < cells.size(); begin += word) {
-        const std::size_t count = std::min(word, cells.size() - begin);
-        std::uint64_t high = 0;
-        for (std::size_t k = 0; k < count; ++k)
-            high |= static_cast<std::uint64_t>(is_high(cells[begin + k])) << k;
-        std::uint64_t changes = high ^ (high << 1U) ^ static_cast<std::uint64_t>(open);
-        if (count < word) changes &= (std::uint64_t{1} << count) - 1;
+    for (std::size_t begin = 0; begin < count; begin += word) {
+        const std::uint64_t high = words[begin / word];
+        std::uint64_t changes = high ^ (high << 1U) ^ before;
+        before = high >> (word - 1);
+        if (count - begin < word) changes &= (std::uint64_t{1} << (count - begin)) - 1;
         for (; changes != 0; changes &= changes - 1) {
             const int x = first + static_cast<int>(begin) + std::countr_zero(changes);
             if (open) {
@@ -109,16 +108,21 @@ void add_runs(std::span<const double> cells, int y, int first, const IsHigh& is_
             open = !open;
         }
     }
-    if (open) runs.back().last = first + static_cast<int>(cells.size()) - 1;
+    if (open) runs.back().last = first + static_cast<int>(count) - 1;
+}
+
+std::size_t words_of(std::size_t cells) {
+    return (cells + 63) / 64;
 }
 
 Runs find_runs(const Grid& bed, double level) {
     Runs found;
     found.row_begin.reserve(static_cast<std::size_t>(bed.ny()) + 1);
+    std::vector<std::uint64_t> words(words_of(static_cast<std::size_t>(bed.nx())));
     for (int y = 0; y < bed.ny(); ++y) {
         found.row_begin.push_back(found.runs.size());
-        add_runs(
-            bed.row(y), y, 0, [&](double cell) { return cell > level; }, found.runs);
+        row_passes::mark_above(bed.row(y), level, words.data());
+        add_runs(words, bed.row(y).size(), y, 0, found.runs);
     }
     found.row_begin.push_back(found.runs.size());
     return found;
@@ -228,6 +232,7 @@ ComponentsWithin components_within(const Grid& bed, const DuneComponents& pieces
     }
     Runs found;
     std::vector<std::size_t> piece_of_run;
+    std::vector<std::uint64_t> words;
     for (int y = 0; y < bed.ny(); ++y) {
         std::vector<OwnedRun>& row = rows[static_cast<std::size_t>(y)];
         found.row_begin.push_back(found.runs.size());
@@ -237,9 +242,10 @@ ComponentsWithin components_within(const Grid& bed, const DuneComponents& pieces
                 bed.row(y).subspan(static_cast<std::size_t>(run.first),
                                    static_cast<std::size_t>(run.last - run.first) + 1);
             const double height = heights[run.piece];
-            add_runs(
-                cells, y, run.first, [&](double cell) { return cell / height > share; },
-                found.runs);
+            words.assign(words_of(cells.size()), 0);
+            for (std::size_t x = 0; x < cells.size(); ++x)
+                words[x / 64] |= static_cast<std::uint64_t>(cells[x] / height > share) << (x % 64);
+            add_runs(words, cells.size(), y, run.first, found.runs);
             piece_of_run.resize(found.runs.size(), run.piece);
         }
     }

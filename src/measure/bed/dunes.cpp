@@ -7,6 +7,7 @@
 #include <span>
 
 #include "measure/bed/periodic_wrap.h"
+#include "measure/bed/row_pass_vectors.h"
 
 namespace fumon {
 
@@ -157,7 +158,7 @@ DuneField separate_dunes(const Grid& bed, bool periodic, const DuneCriteria& cri
                          const WindOnGrid& wind) {
     DuneField field;
     if (bed.empty()) return field;
-    const double highest = *std::max_element(bed.values().begin(), bed.values().end());
+    const double highest = row_passes::highest(bed.values(), 0.0);
     if (!(highest > 0.0)) return field;
     const DuneComponents found = dune_components(bed, criteria.level_share * highest, periodic);
     std::int64_t covered = 0;

@@ -1,13 +1,14 @@
 #include "measure/bed/slopes.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "measure/shared/sampled_rank.h"
+#include "measure/bed/row_pass_vectors.h"
+#include "measure/bed/sampled_rank.h"
 #include "measure/shared/undefined.h"
 
 namespace fumon {
@@ -27,7 +28,7 @@ class RowDifferences {
         const auto row = bed_.row(y);
         const std::size_t nx = row.size();
         differences.resize(nx);
-        for (std::size_t x = 0; x + 1 < nx; ++x) differences[x] = row[x + 1] - row[x];
+        row_passes::differences(row, differences.data());
         differences[nx - 1] = row.front() - row.back();
         const std::size_t count = periodic_ ? nx : nx - 1;
         if (nodata_.empty()) {
@@ -50,86 +51,78 @@ class RowDifferences {
     const Mask& nodata_;
 };
 
-/// How many sites rise or fall, by how much in all, and some of them.
-struct Side {
-    std::size_t count = 0;
-    double sum = 0.0;
-    std::vector<double> sample;
+constexpr double steep_share = 0.9;
+
+/// The sites that rise, or those that fall: how many, by how much in all, and the magnitude that
+/// nine tenths do not exceed.
+class Side {
+  public:
+    Side(double sign, double level, std::vector<double> sample)
+        : sign_(sign), level_(level), ranks_(std::move(sample), steep_share) {}
+
+    /// Takes those of a row's differences that are of the side, whose magnitudes are then
+    /// `latest`.
+    void take(std::span<const double> differences) {
+        kept_.resize(differences.size() + row_passes::slack);
+        latest_ = std::span(kept_).first(
+            row_passes::keep_above(differences, sign_, level_, kept_.data()));
+        count_ += latest_.size();
+        ranks_.add(latest_);
+    }
+    [[nodiscard]] std::span<const double> latest() const { return latest_; }
+    [[nodiscard]] std::size_t count() const { return count_; }
+
+    /// Undefined of no site; nothing where the sample misled: then all are to be taken again.
+    std::optional<double> steep() {
+        if (count_ == 0) return undefined;
+        return ranks_.find((count_ * 9 + 9) / 10 - 1);
+    }
+    void begin_again() {
+        count_ = 0;
+        ranks_.widen();
+    }
+
+  private:
+    double sign_;
+    double level_;
+    SampledRank ranks_;
+    std::vector<double> kept_;
+    std::span<const double> latest_;
+    std::size_t count_ = 0;
 };
 
-/// The value that nine tenths of a side do not exceed. `each_row` calls its argument with the
-/// magnitudes of one row after the other; those that are not of the side lie below all that are.
-template <class EachRow>
-double ninetieth_percentile(const Side& side, const EachRow& each_row) {
-    if (side.count == 0) return undefined;
-    const std::size_t rank = (side.count * 9 + 9) / 10 - 1;
-    SampledRank values(side.sample, 0.9);
-    const auto add_all = [&] {
-        std::size_t added = 0;
-        each_row([&](std::span<const double> row) {
-            values.add(row);
-            added += row.size();
-        });
-        return values.find(added - side.count + rank);
-    };
-    if (const auto found = add_all()) return *found;
-    values.widen();
-    return *add_all();
-}
-
-/// The sums of both sides. Falls are summed from the last site back.
-std::array<Side, 2> sides_of(const RowDifferences& differences, int ny, double level) {
-    constexpr std::size_t sampled_sites = 31;  // of which one is of the sample
-    std::array<Side, 2> sides;
-    Side& rises = sides[0];
-    Side& falls = sides[1];
-    std::vector<double> forward;
-    std::vector<double> backward;
-    std::size_t next_sample = 0;
-    for (int y = 0; y < ny; ++y) {
-        differences.of_row(y, forward);
-        differences.of_row(ny - 1 - y, backward);
-        const std::size_t count = std::min(forward.size(), backward.size());
-        const auto rise = [&](double value) {
-            rises.sum += value > level ? value : 0.0;
-            rises.count += static_cast<std::size_t>(value > level);
-        };
-        const auto fall = [&](double value) {
-            falls.sum += value < -level ? -value : 0.0;
-            falls.count += static_cast<std::size_t>(value < -level);
-        };
-        for (std::size_t x = 0; x < count; ++x) {  // two sums side by side
-            rise(forward[x]);
-            fall(backward[backward.size() - 1 - x]);
-        }
-        for (std::size_t x = count; x < forward.size(); ++x) rise(forward[x]);
-        for (std::size_t x = count; x < backward.size(); ++x)
-            fall(backward[backward.size() - 1 - x]);
-        for (; next_sample < forward.size(); next_sample += sampled_sites) {
-            const double value = forward[next_sample];
-            if (value > level) rises.sample.push_back(value);
-            if (value < -level) falls.sample.push_back(-value);
-        }
-        next_sample -= forward.size();
+/// Adds rises from the first and falls from the last on, two sums side by side.
+void add_both(std::span<const double> rises, std::span<const double> falls, double& rise,
+              double& fall) {
+    const std::size_t count = std::min(rises.size(), falls.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        rise += rises[i];
+        fall += falls[falls.size() - 1 - i];
     }
-    return sides;
+    for (std::size_t i = count; i < rises.size(); ++i) rise += rises[i];
+    for (std::size_t i = count; i < falls.size(); ++i) fall += falls[falls.size() - 1 - i];
 }
 
-double mean_of(const Side& side) {
-    return side.count == 0 ? undefined : side.sum / static_cast<double>(side.count);
+/// A side without any site yet. What its ranks are sought by is a sample of the sites.
+Side side_of(const Grid& bed, double sign, double level) {
+    constexpr std::size_t sampled_sites = 31;  // of which one is of the sample
+    std::vector<double> sample;
+    const auto heights = bed.values();
+    const auto nx = static_cast<std::size_t>(bed.nx());
+    for (std::size_t cell = 0; cell + 1 < heights.size(); cell += sampled_sites) {
+        if ((cell + 1) % nx == 0) continue;
+        const double value = sign * (heights[cell + 1] - heights[cell]);
+        if (value > level) sample.push_back(value);
+    }
+    return {sign, level, std::move(sample)};
+}
+
+double mean_of(double sum, const Side& side) {
+    return side.count() == 0 ? undefined : sum / static_cast<double>(side.count());
 }
 
 double highest_magnitude(const Grid& bed) {
-    constexpr std::size_t lanes = 8;
-    std::array<double, lanes> highest{};
-    const auto values = bed.values();
-    std::size_t cell = 0;
-    for (; cell + lanes <= values.size(); cell += lanes) {
-        for (std::size_t k = 0; k < lanes; ++k)
-            highest[k] = std::max(highest[k], std::abs(values[cell + k]));
-    }
-    for (; cell < values.size(); ++cell) highest[0] = std::max(highest[0], std::abs(values[cell]));
-    return *std::max_element(highest.begin(), highest.end());
+    return row_passes::highest_magnitude(bed.values());
 }
 
 }  // namespace
@@ -139,22 +132,32 @@ BedSlopes bed_slopes(const Grid& bed, bool periodic, const Mask& nodata) {
     if (bed.nx() < 2) return result;
     const double level = level_share * highest_magnitude(bed);
     const RowDifferences differences(bed, periodic, nodata);
-    const auto [rises, falls] = sides_of(differences, bed.ny(), level);
-    result.stoss = mean_of(rises);
-    result.lee = mean_of(falls);
-    result.stoss_to_lee = result.stoss / result.lee;
+    Side rises = side_of(bed, 1.0, level);
+    Side falls = side_of(bed, -1.0, level);
     std::vector<double> row;
-    const auto each_row = [&](double sign) {
-        return [&, sign](const auto& take) {
-            for (int y = 0; y < bed.ny(); ++y) {
-                differences.of_row(y, row);
-                for (double& value : row) value *= sign;
-                take(std::span<const double>(row));
-            }
-        };
+    double rise = 0.0;
+    double fall = 0.0;
+    const auto take_all = [&] {
+        rise = fall = 0.0;
+        for (int y = 0; y < bed.ny(); ++y) {
+            differences.of_row(y, row);
+            rises.take(row);
+            differences.of_row(bed.ny() - 1 - y, row);
+            falls.take(row);
+            add_both(rises.latest(), falls.latest(), rise, fall);
+        }
     };
-    result.steep_stoss = ninetieth_percentile(rises, each_row(1.0));
-    result.steep_lee = ninetieth_percentile(falls, each_row(-1.0));
+    take_all();
+    if (!rises.steep() || !falls.steep()) {
+        rises.begin_again();
+        falls.begin_again();
+        take_all();
+    }
+    result.stoss = mean_of(rise, rises);
+    result.lee = mean_of(fall, falls);
+    result.stoss_to_lee = result.stoss / result.lee;
+    result.steep_stoss = *rises.steep();
+    result.steep_lee = *falls.steep();
     return result;
 }
 

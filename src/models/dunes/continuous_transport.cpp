@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 #include "base/cancellation.h"
@@ -43,16 +44,16 @@ std::array<std::int64_t, 9> pieces_of(std::int64_t amount, const HopSpread& alon
     return pieces;
 }
 
-struct Spreads {
-    /// Of hops by so many cells along x and y.
+}  // namespace
+
+/// Of hops by so many cells along x and y.
+struct ContinuousTransport::Spreads {
     Spreads(const SaturationHops& hops, double cells_x, double cells_y)
         : along(cells_x, hops.spread_x), across(cells_y, hops.spread_y) {}
 
     HopSpread along;
     HopSpread across;
 };
-
-}  // namespace
 
 double hop_factor(const DunesParameters& parameters, double above_mean) {
     const double factor =
@@ -126,6 +127,12 @@ void ContinuousTransport::lift(DuneBed& bed, const Wind& wind, double layer, int
     const auto surface = bed.surface.row(y);
     const auto rock = bed.rock.row(y);
     const auto moving = bed.moving.row(y);
+    if (wind.plants == nullptr && wind.sheltered == nullptr && wind.before_walls == nullptr) {
+        drift_vectors::lift(surface.size(), layer, greatest_lift, wind.shade.row(y).data(),
+                            wind.shear != nullptr ? wind.shear->row(y).data() : nullptr,
+                            rock.data(), surface.data(), moving.data());
+        return;
+    }
     for (std::size_t x = 0; x < surface.size(); ++x) {
         const double factor = lift_factor(wind, static_cast<int>(x), y);
         const auto wanted = static_cast<std::int64_t>(layer * factor);
@@ -166,9 +173,7 @@ void ContinuousTransport::hop(DuneBed& bed, const Wind& wind) {
         return;
     }
     if (parameters_.speed_up != DuneSpeedUp::height) {
-        const Spreads all(hops_, cells_x, cells_y);
-        hop_all(
-            bed, [&](int, int) -> const Spreads& { return all; }, std::abs(cells_y));
+        hop_all(bed, Spreads(hops_, cells_x, cells_y), std::abs(cells_y));
         return;
     }
     const auto heights = bed.surface.values();
@@ -213,11 +218,18 @@ void ContinuousTransport::hop_along_walls(DuneBed& bed, const Wind& wind) {
 /// threads meet.
 template <class Spread>
 void ContinuousTransport::hop_all(DuneBed& bed, const Spread& spread, double reach_y) {
+    const auto rows_hop = [&](int begin, int end) {
+        if constexpr (std::is_same_v<Spread, Spreads>) {
+            return hop_rows_alike(bed, spread, begin, end);
+        } else {
+            return hop_rows(bed, spread, begin, end);
+        }
+    };
     constexpr double beside = 3.0;  // cells: the spread, and rounding
     const double least_height = 2.0 * (reach_y + beside);
     const auto pairs = static_cast<std::int64_t>(ground_.ny / (2.0 * least_height));
     if (pairs == 0) {
-        bed.outflow += hop_rows(bed, spread, 0, ground_.ny);
+        bed.outflow += rows_hop(0, ground_.ny);
         return;
     }
     const auto border = [&](std::int64_t block) {
@@ -228,12 +240,56 @@ void ContinuousTransport::hop_all(DuneBed& bed, const Spread& spread, double rea
         pool_.for_ranges(static_cast<int>(pairs), [&](int begin, int end) {
             for (std::int64_t pair = begin; pair < end; ++pair) {
                 const std::int64_t block = 2 * pair + odd;
-                lost[static_cast<std::size_t>(block)] =
-                    hop_rows(bed, spread, border(block), border(block + 1));
+                lost[static_cast<std::size_t>(block)] = rows_hop(border(block), border(block + 1));
             }
         });
     }
     bed.outflow += std::accumulate(lost.begin(), lost.end(), std::int64_t{0});
+}
+
+/// Adds to `cells` cells of row y from `x` on what `pieces` of row j bring there; returns what
+/// leaves over open edges.
+std::int64_t ContinuousTransport::add_pieces(const drift_vectors::Pieces& pieces, std::size_t j,
+                                             std::size_t cells, std::int64_t x, int y) {
+    std::int64_t lost = 0;
+    std::size_t done = 0;
+    while (done < cells) {
+        const std::int64_t place = x + static_cast<std::int64_t>(done);
+        const int to_x = y < 0 ? -1 : column(place);
+        if (to_x < 0) {
+            std::int64_t piece = 0;
+            drift_vectors::add(pieces, j, done++, 1, &piece);
+            lost += piece;
+            continue;
+        }
+        const std::size_t some =
+            std::min(cells - done, static_cast<std::size_t>(ground_.nx - to_x));
+        drift_vectors::add(pieces, j, done, some, &arrived_(to_x, y));
+        done += some;
+    }
+    return lost;
+}
+
+/// As hop_rows(), where all hops are alike.
+std::int64_t ContinuousTransport::hop_rows_alike(const DuneBed& bed, const Spreads& spread,
+                                                 int begin, int end) {
+    const auto& [along, across] = spread;
+    std::int64_t lost = 0;
+    drift_vectors::Pieces pieces;
+    for (int y = begin; y < end; ++y) {
+        throw_if_cancelled();
+        const auto moving = bed.moving.row(y);
+        for (std::size_t x = 0; x < moving.size(); x += drift_vectors::most_cells) {
+            const std::size_t count = std::min(drift_vectors::most_cells, moving.size() - x);
+            drift_vectors::spread(moving.data() + x, count, along.shares, across.shares, pieces);
+            for (std::size_t j = 0; j < 3; ++j) {
+                const int to_y = row(y + across.first + static_cast<std::int64_t>(j));
+                lost += add_pieces(pieces, j, count + 2, static_cast<std::int64_t>(x) + along.first,
+                                   to_y);
+            }
+        }
+    }
+    return lost;
 }
 
 template <class Spread>
@@ -324,7 +380,7 @@ void ContinuousTransport::drift_down(const DuneBed& bed, const Wind& wind, int y
     const double share_y = drift_y_ * wind.blowing.strength;
     const auto surface = bed.surface.row(y);
     const auto rock = bed.rock.row(y);
-    for (int x = 0; x < ground_.nx; ++x) {
+    const auto cell = [&](int x) {
         const std::int64_t here = surface[static_cast<std::size_t>(x)];
         const std::int64_t rock_here = rock[static_cast<std::size_t>(x)];
         const double from_here = drifting(x, y);
@@ -342,7 +398,20 @@ void ContinuousTransport::drift_down(const DuneBed& bed, const Wind& wind, int y
             if (beside >= 0) change += got(x, beside, share_y);
         }
         after_(x, y) = here + change;
+    };
+    const int south = row(y - 1);
+    const int north = row(y + 1);
+    const int last = ground_.nx - 1;
+    if (wind.sheltered != nullptr || south < 0 || north < 0 || last < 2) {
+        for (int x = 0; x <= last; ++x) cell(x);
+        return;
     }
+    cell(0);
+    drift_vectors::drift_down(
+        {surface.data(), rock.data(), bed.surface.row(south).data(), bed.rock.row(south).data(),
+         bed.surface.row(north).data(), bed.rock.row(north).data()},
+        1, static_cast<std::size_t>(last), share_x, share_y, after_.row(y).data());
+    cell(last);
 }
 
 void ContinuousTransport::deposit(FixedPointGrid& on, DuneBed& bed, const Wind& wind, int y) {
@@ -355,6 +424,12 @@ void ContinuousTransport::deposit(FixedPointGrid& on, DuneBed& bed, const Wind& 
     const auto shaded = wind.shade.row(y);
     const double on_rock = parameters_.deposit_on_rock;
     const double more_on_sand = parameters_.deposit_on_sand - on_rock;
+    if (wind.plants == nullptr && wind.before_walls == nullptr) {
+        drift_vectors::deposit(
+            surface.size(), {on_rock, more_on_sand, 1.0 / thickness, hops_.landing}, shaded.data(),
+            rock.data(), arrived.data(), surface.data(), moving.data(), landed.data());
+        return;
+    }
     for (std::size_t x = 0; x < surface.size(); ++x) {
         const auto sand = static_cast<double>(surface[x] - rock[x]);
         const double cover = std::min(sand * (1.0 / thickness), 1.0);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "base/grid.h"
 #include "models/dunes/dune_bed.h"
 #include "models/dunes/dunes_parameters.h"
+#include "models/dunes/kernels/drift_vectors.h"
 #include "models/dunes/saturation_hops.h"
 #include "models/dunes/wind_bend.h"
 #include "models/dunes/wind_schedule.h"
@@ -75,11 +77,16 @@ class ContinuousTransport {
     static double lift_factor(const Wind& wind, int x, int y);
 
   private:
+    struct Spreads;
+
     /// e0, units
     [[nodiscard]] double layer_of(const BlowingWind& wind) const;
     void lift(DuneBed& bed, const Wind& wind, double layer, int y) const;
     void hop(DuneBed& bed, const Wind& wind);
     void hop_along_walls(DuneBed& bed, const Wind& wind);
+    std::int64_t hop_rows_alike(const DuneBed& bed, const Spreads& spread, int begin, int end);
+    std::int64_t add_pieces(const drift_vectors::Pieces& pieces, std::size_t j, std::size_t cells,
+                            std::int64_t x, int y);
     template <class Spread>
     std::int64_t hop_rows(const DuneBed& bed, const Spread& spread, int begin, int end);
     template <class Spread>

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "measure/bed/row_pass_vectors.h"
+
 namespace fumon {
 
 /// The value of a rank among many, found without an array of them all: a sample tells between
@@ -33,20 +35,12 @@ class SampledRank {
 
     /// Takes some of the values, which are finite.
     void add(std::span<const double> values) {
-        if (kept_.size() < count_kept_ + values.size())
-            kept_.resize(2 * (count_kept_ + values.size()));
-        double* to = kept_.data() + count_kept_;
-        const double low = low_;
-        const double high = high_;
-        std::size_t kept = 0;
-        std::size_t below = 0;
-        for (const double value : values) {  // without branches: noise has no pattern
-            to[kept] = value;
-            kept += static_cast<std::size_t>((value >= low) & (value <= high));
-            below += static_cast<std::size_t>(value < low);
-        }
-        count_kept_ += kept;
-        below_ += below;
+        const std::size_t room = count_kept_ + values.size() + row_passes::slack;
+        if (kept_.size() < room) kept_.resize(2 * room);
+        const row_passes::Kept some =
+            row_passes::keep_between(values, low_, high_, kept_.data() + count_kept_);
+        count_kept_ += some.count;
+        below_ += some.below;
     }
 
     /// The value that `rank` values lie below or before, where the sample did not mislead.
