@@ -12,6 +12,7 @@
 #include "base/snapshot_lookup.h"
 #include "base/truncation.h"
 #include "figure/canvas/furniture.h"
+#include "figure/layers/draw_layers.h"
 #include "figure/panels/arrow_field.h"
 #include "figure/panels/axis_units.h"
 #include "figure/panels/scale_bar.h"
@@ -52,6 +53,19 @@ double spread_under(const Grid& values, const CanvasBox& frame, const CanvasBox&
     }
     return count > 0.0 ? std::max(squares / count - (sum / count) * (sum / count), 0.0) : 0.0;
 }
+
+}  // namespace
+
+namespace {
+
+/// A map that fills the unit square, north up.
+class FlatGround : public GroundSight {
+  public:
+    [[nodiscard]] std::optional<CanvasPoint> at(const BedPlace& place) const override {
+        return CanvasPoint{place[0], 1.0 - place[1]};
+    }
+    [[nodiscard]] bool visible(const BedPlace&) const override { return true; }
+};
 
 }  // namespace
 
@@ -203,6 +217,19 @@ void MapPanel::draw_lines(Canvas& canvas, const CanvasBox& frame) const {
     }
 }
 
+void MapPanel::draw_layers_over(Canvas& canvas, const CanvasBox& frame) const {
+    if (!settings_.placed_layers) return;
+    const BedExtent extent = bed_extent(picture_.values, picture_.scale);
+    const auto layers = seen_layers({settings_.layers,
+                                     *settings_.placed_layers,
+                                     {0.0, 0.0, 1.0, 1.0},
+                                     extent.width,
+                                     extent.height,
+                                     true},
+                                    FlatGround());
+    draw_layers(canvas, frame, settings_.layers, in_box(layers, frame), {}, {page_pixel});
+}
+
 void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
     const double margin = furniture_inset_em * canvas.font_size();
     const auto plate = [&](Corner corner, const FurnitureSize& size) {
@@ -227,8 +254,15 @@ void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
         if (settings_.scale_bar) taken.push_back(settings_.scale_bar_corner);
         if (!settings_.label.empty()) taken.push_back(settings_.label_corner);
         if (settings_.compass) taken.push_back(settings_.compass_corner);
+        if (has_legend(settings_.layers)) taken.push_back(settings_.legend_corner);
         const Corner corner = arrow_corner(picture_.values, frame, size, margin, taken);
         draw_ground_arrow(canvas, *settings_.arrow, map_axes(), plate(corner, size));
+    }
+    if (settings_.placed_layers && has_legend(settings_.layers)) {
+        const CanvasBox box =
+            plate(settings_.legend_corner, layer_legend_size(canvas, settings_.layers));
+        draw_layer_legend(canvas, {box.x, box.y}, settings_.layers, *settings_.placed_layers,
+                          page_pixel);
     }
     if (settings_.compass)
         draw_compass(canvas, map_axes(),
@@ -241,6 +275,7 @@ void MapPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     const double thin = 0.5 * canvas.line_width();
     PanelMargins room{thin, thin, thin, thin};
     if (settings_.contours) draw_contours_over(canvas, frame);
+    draw_layers_over(canvas, frame);
     if (settings_.flow) draw_flow(canvas, axes);
     draw_lines(canvas, frame);
     draw_furniture(canvas, frame);

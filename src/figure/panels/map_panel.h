@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "figure/panels/ground_arrow.h"
 #include "figure/panels/map_picture.h"
 #include "figure/plot/axes.h"
+#include "scene/view/layers.h"
 
 namespace fumon {
 
@@ -53,6 +55,9 @@ struct MapPanelSettings {
     std::optional<MapFlow> flow;
     std::optional<GroundContours> contours;
     std::vector<MapLine> lines;
+    std::vector<LayerSettings> layers;  ///< laid over the map; those with a legend have one
+    std::shared_ptr<const PlacedLayers> placed_layers{};
+    Corner legend_corner = Corner::upper_right;
     int most_pixels = 2100;  ///< along a side; more cells are averaged
 };
 
@@ -85,6 +90,7 @@ class MapPanel : public PanelContent {
     void draw_flow(Canvas& canvas, const Axes& axes) const;
     void draw_contours_over(Canvas& canvas, const CanvasBox& frame) const;
     void draw_lines(Canvas& canvas, const CanvasBox& frame) const;
+    void draw_layers_over(Canvas& canvas, const CanvasBox& frame) const;
     void draw_furniture(Canvas& canvas, const CanvasBox& frame) const;
 
     MapPicture picture_;
