@@ -18,23 +18,23 @@ using test::ScratchFolder;
 
 constexpr const char* zone_13 = "EPSG:32613";
 
-std::string feature(const std::string& type, const std::string& coordinates,
-                    const std::string& name = "one") {
+std::string feature_text(const std::string& type, const std::string& coordinates,
+                         const std::string& name = "one") {
     return R"({"type": "Feature", "properties": {"name": ")" + name +
            R"("}, "geometry": {"type": ")" + type + R"(", "coordinates": )" + coordinates + "}}";
 }
 
-std::string collection(const std::string& features) {
+std::string collection_text(const std::string& features) {
     return R"({"type": "FeatureCollection", "features": [)" + features + "]}";
 }
 
-Scene scene_in(const ScratchFolder& folder, const std::string& keys) {
+Scene layer_scene(const ScratchFolder& folder, const std::string& keys) {
     test::write_text(folder / "scene.toml",
                      "[model]\nname = \"static\"\n[[layer]]\n" + keys + "\n");
     return read_scene(folder / "scene.toml");
 }
 
-InitialBed bed_of(std::optional<GeoReference> place, int nx = 20, int ny = 10) {
+InitialBed layered_bed(std::optional<GeoReference> place, int nx = 20, int ny = 10) {
     InitialBed initial;
     initial.bed = Grid(nx, ny, 1.0);
     initial.scale.in_metres = true;
@@ -43,7 +43,7 @@ InitialBed bed_of(std::optional<GeoReference> place, int nx = 20, int ny = 10) {
     return initial;
 }
 
-std::string refused(Scene scene, InitialBed initial) {
+std::string refused_layer(Scene scene, InitialBed initial) {
     try {
         lay_layers(scene, initial);
     } catch (const InputError& error) {
@@ -56,9 +56,9 @@ std::string refused(Scene scene, InitialBed initial) {
 TEST(LayLayers, ClipsALineToTheBedWithPointsACellApart) {
     const ScratchFolder folder;
     test::write_text(folder / "line.geojson",
-                     collection(feature("LineString", "[[-50, 25], [150, 25]]")));
-    Scene scene = scene_in(folder, "file = \"line.geojson\"\nlabel = \"name\"");
-    InitialBed initial = bed_of(std::nullopt);
+                     collection_text(feature_text("LineString", "[[-50, 25], [150, 25]]")));
+    Scene scene = layer_scene(folder, "file = \"line.geojson\"\nlabel = \"name\"");
+    InitialBed initial = layered_bed(std::nullopt);
     lay_layers(scene, initial);
     ASSERT_TRUE(scene.view.placed_layers);
     const LayerFeature& line = scene.view.placed_layers->layers.at(0).features.at(0);
@@ -80,8 +80,8 @@ TEST(LayLayers, ClipsALineToTheBedWithPointsACellApart) {
     const std::string hash = initial.inputs[0].hash;
     EXPECT_EQ(hash.size(), 64U);
     test::write_text(folder / "line.geojson",
-                     collection(feature("LineString", "[[-50, 24], [150, 25]]")));
-    InitialBed again = bed_of(std::nullopt);
+                     collection_text(feature_text("LineString", "[[-50, 24], [150, 25]]")));
+    InitialBed again = layered_bed(std::nullopt);
     lay_layers(scene, again);
     EXPECT_NE(again.inputs.at(0).hash, hash);
 }
@@ -90,13 +90,14 @@ TEST(LayLayers, ClipsALineToTheBedWithPointsACellApart) {
 /// LayDrape has it too; .01° of longitude east of it is easting 500 853.9 m (cos 40° · N · .01°).
 TEST(LayLayers, BringsDegreesToTheBedsReferenceSystem) {
     const ScratchFolder folder;
-    test::write_text(folder / "points.geojson", collection(feature("Point", "[-105, 40]") + "," +
-                                                           feature("Point", "[-104.99, 40]") + "," +
-                                                           feature("Point", "[-100, 40]")));
-    Scene scene = scene_in(folder, "file = \"points.geojson\"");
+    test::write_text(folder / "points.geojson",
+                     collection_text(feature_text("Point", "[-105, 40]") + "," +
+                                     feature_text("Point", "[-104.99, 40]") + "," +
+                                     feature_text("Point", "[-100, 40]")));
+    Scene scene = layer_scene(folder, "file = \"points.geojson\"");
     const double cell = 50.0;
     InitialBed initial =
-        bed_of(GeoReference{499500.0, 4427257.2186, cell, cell, false, zone_13}, 40, 20);
+        layered_bed(GeoReference{499500.0, 4427257.2186, cell, cell, false, zone_13}, 40, 20);
     lay_layers(scene, initial);
     const auto& features = scene.view.placed_layers->layers.at(0).features;
     ASSERT_EQ(features.size(), 2U);  // the third lies beside the bed
@@ -109,14 +110,15 @@ TEST(LayLayers, BringsDegreesToTheBedsReferenceSystem) {
 
 TEST(LayLayers, FillsAreasWithTheirHoles) {
     const ScratchFolder folder;
-    test::write_text(folder / "area.geojson",
-                     collection(feature("Polygon",
-                                        "[[[10, 10], [60, 10], [60, 40], [10, 40], [10, 10]],"
-                                        " [[20, 20], [40, 20], [40, 30], [20, 30], [20, 20]]]")));
-    Scene scene = scene_in(
+    test::write_text(
+        folder / "area.geojson",
+        collection_text(feature_text("Polygon",
+                                     "[[[10, 10], [60, 10], [60, 40], [10, 40], [10, 10]],"
+                                     " [[20, 20], [40, 20], [40, 30], [20, 30], [20, 20]]]")));
+    Scene scene = layer_scene(
         folder,
         "file = \"area.geojson\"\nfill = \"#ff0000\"\nfill_opacity = 0.4\nlabel = \"name\"");
-    InitialBed initial = bed_of(std::nullopt);
+    InitialBed initial = layered_bed(std::nullopt);
     lay_layers(scene, initial);
     const Drape* drape = scene.view.laid();
     ASSERT_NE(drape, nullptr);
@@ -165,9 +167,9 @@ TEST(LayLayers, LaysAreasOverADrapeOfItsStrength) {
 
 TEST(LayLayers, RefusesWhatItCannotShowInOneLineAtItsKey) {
     const ScratchFolder folder;
-    const InitialBed initial = bed_of(std::nullopt);
+    const InitialBed initial = layered_bed(std::nullopt);
     const auto says = [&](const std::string& keys, const std::string& what) {
-        const std::string line = refused(scene_in(folder, keys), initial);
+        const std::string line = refused_layer(layer_scene(folder, keys), initial);
         EXPECT_TRUE(test::contains(line, what)) << line;
         EXPECT_FALSE(test::contains(line, "\n")) << line;
     };
@@ -175,41 +177,45 @@ TEST(LayLayers, RefusesWhatItCannotShowInOneLineAtItsKey) {
     test::write_text(folder / "broken.geojson", "{\"type\": \"FeatureCollection\", \"feat");
     says("file = \"broken.geojson\"", "broken.geojson: cannot be read as lines, points or areas: ");
     test::write_text(folder / "line.geojson",
-                     collection(feature("LineString", "[[0, 25], [50, 25]]")));
+                     collection_text(feature_text("LineString", "[[0, 25], [50, 25]]")));
     says("file = \"line.geojson\"\nname = \"streets\"",
          "scene.toml:5:8: " + (folder / "line.geojson").string() + ": has no layer \"streets\"; ");
     says("file = \"line.geojson\"\nlabel = \"nam\"",
          "has no field \"nam\"; did you mean \"name\"?");
-    test::write_text(folder / "mixed.geojson",
-                     collection(R"({"type": "Feature", "properties": {}, "geometry": {"type": )"
-                                R"("GeometryCollection", "geometries": [{"type": "Point", )"
-                                R"("coordinates": [1, 1]}]}})"));
+    test::write_text(
+        folder / "mixed.geojson",
+        collection_text(R"({"type": "Feature", "properties": {}, "geometry": {"type": )"
+                        R"("GeometryCollection", "geometries": [{"type": "Point", )"
+                        R"("coordinates": [1, 1]}]}})"));
     says("file = \"mixed.geojson\"", "mixed.geojson: feature 1 is a geometry collection; split it");
-    test::write_text(folder / "beside.geojson", collection(feature("Point", "[500, 25]")));
+    test::write_text(folder / "beside.geojson",
+                     collection_text(feature_text("Point", "[500, 25]")));
     says("file = \"beside.geojson\"", "beside.geojson: lies beside the bed; ");
-    test::write_text(folder / "empty.geojson", collection(""));
+    test::write_text(folder / "empty.geojson", collection_text(""));
     says("file = \"empty.geojson\"", "empty.geojson: holds no lines, points or areas");
-    EXPECT_THROW(scene_in(folder, "file = \"line.geojson\"\ncolour = \"red\""), InputError);
-    EXPECT_THROW(scene_in(folder, "colour = \"#ff0000\""), InputError);
+    EXPECT_THROW(layer_scene(folder, "file = \"line.geojson\"\ncolour = \"red\""), InputError);
+    EXPECT_THROW(layer_scene(folder, "colour = \"#ff0000\""), InputError);
 }
 
 /// Of others' scenes no message tells what a file holds, and formats of several files stay shut.
 TEST(LayLayers, TellsOthersNothingOfFiles) {
     const ScratchFolder folder;
     test::write_text(folder / "line.geojson",
-                     collection(feature("LineString", "[[0, 25], [50, 25]]")));
-    Scene scene = scene_in(folder, "file = \"line.geojson\"\nlabel = \"secret\"");
+                     collection_text(feature_text("LineString", "[[0, 25], [50, 25]]")));
+    Scene scene = layer_scene(folder, "file = \"line.geojson\"\nlabel = \"secret\"");
     scene.trusted = false;
-    const InitialBed initial = bed_of(std::nullopt);
-    EXPECT_TRUE(test::contains(refused(scene, initial), "is not one of the files whose SHA-256"));
-    InitialBed known = bed_of(std::nullopt);
-    Scene plain = scene_in(folder, "file = \"line.geojson\"");
+    const InitialBed initial = layered_bed(std::nullopt);
+    EXPECT_TRUE(
+        test::contains(refused_layer(scene, initial), "is not one of the files whose SHA-256"));
+    InitialBed known = layered_bed(std::nullopt);
+    Scene plain = layer_scene(folder, "file = \"line.geojson\"");
     lay_layers(plain, known);
     scene.bed_hashes = std::make_shared<const std::vector<std::string>>(
         std::vector<std::string>{known.inputs.at(0).hash});
-    EXPECT_TRUE(test::contains(refused(scene, initial), "line.geojson is not a readable layer"));
+    EXPECT_TRUE(
+        test::contains(refused_layer(scene, initial), "line.geojson is not a readable layer"));
     scene.view.layers[0].label.clear();
-    EXPECT_EQ(refused(scene, initial), "none");
+    EXPECT_EQ(refused_layer(scene, initial), "none");
 }
 
 }  // namespace

@@ -50,7 +50,17 @@ class LayerLabels {
     LayerLabels(Canvas& canvas, const CanvasBox& frame, std::vector<CanvasBox> taken,
                 const LayerStyle& style)
         : canvas_(canvas), frame_(frame), style_(style) {
-        for (const CanvasBox& box : taken) shown_.push_back({box, 1.0});
+        for (const CanvasBox& box : taken) shown_.push_back({box, 1.0, nullptr});
+    }
+
+    /// Keeps the labels of other features off a marker.
+    void keep_off(const LayerSettings& settings, const SeenFeature& feature) {
+        if (settings.marker == LayerMarker::none || feature.shape != LayerShape::points) return;
+        const double size = settings.marker_size * style_.pixel;
+        for (const SeenPart& part : feature.parts) {
+            const CanvasPoint& at = part.points.front();
+            shown_.push_back({{at.x - 0.5 * size, at.y - 0.5 * size, size, size}, 1.0, &feature});
+        }
     }
 
     void write(const LayerSettings& settings, const SeenFeature& feature) {
@@ -66,9 +76,9 @@ class LayerLabels {
             const CanvasBox box{at.x + side.x * (away + 0.5 * width) - 0.5 * width,
                                 at.y + side.y * (away + 0.5 * height) - 0.5 * height, width,
                                 height};
-            const double share = share_shown(box, room);
+            const double share = share_shown(box, room, feature);
             if (share <= 0.0) continue;
-            shown_.push_back({box, share});
+            shown_.push_back({box, share, &feature});
             write_with_halo(feature.label, box, settings,
                             share * (feature.anchor->hidden ? hidden_opacity : 1.0));
             return;
@@ -79,6 +89,7 @@ class LayerLabels {
     struct Shown {
         CanvasBox box;
         double share = 1.0;
+        const SeenFeature* of = nullptr;  ///< whose label keeps no distance; null: nobody's
     };
 
     [[nodiscard]] std::vector<CanvasPoint> sides_of(LayerShape shape) const {
@@ -91,11 +102,13 @@ class LayerLabels {
     }
 
     /// How far a label may be shown there; all or nothing in pictures that hold still.
-    [[nodiscard]] double share_shown(const CanvasBox& box, double room) const {
+    [[nodiscard]] double share_shown(const CanvasBox& box, double room,
+                                     const SeenFeature& feature) const {
         if (!within(box, frame_)) return 0.0;
         double share = 1.0;
         const double whole = style_.moves ? fade_em * canvas_.font_size() : room;
         for (const Shown& other : shown_) {
+            if (other.of == &feature) continue;
             const double across = std::max(other.box.x - box.right(), box.x - other.box.right());
             const double down = std::max(other.box.y - box.bottom(), box.y - other.box.bottom());
             const double clear = std::clamp(std::max(across, down) / whole, 0.0, 1.0);
@@ -155,6 +168,9 @@ void draw_layers(Canvas& canvas, const CanvasBox& frame, std::span<const LayerSe
         }
     }
     LayerLabels labels(canvas, frame, std::move(taken), style);
+    for (std::size_t n = 0; n < layers.size(); ++n) {
+        for (const SeenFeature& feature : layers[n].features) labels.keep_off(settings[n], feature);
+    }
     for (std::size_t n = 0; n < layers.size(); ++n) {
         for (const SeenFeature& feature : layers[n].features) labels.write(settings[n], feature);
     }

@@ -87,6 +87,35 @@ Corner arrow_corner(const Grid& values, const CanvasBox& frame, const FurnitureS
     return best;
 }
 
+Corner emptiest_corner(const MapPicture& picture, const CanvasBox& frame, const FurnitureSize& size,
+                       double margin, const std::vector<Corner>& taken) {
+    const Grid& values = picture.values;
+    const auto cells_under = [&](Corner corner) {
+        const CanvasBox box = corner_box(frame, corner, size, margin);
+        int count = 0;
+        for (int y = 0; y < values.ny(); ++y) {
+            for (int x = 0; x < values.nx(); ++x) {
+                const CanvasPoint middle{frame.x + (x + 0.5) / values.nx() * frame.width,
+                                         frame.bottom() - (y + 0.5) / values.ny() * frame.height};
+                const bool blank = !picture.blank.empty() && picture.blank(x, y) != 0;
+                count += !blank && std::isfinite(values(x, y)) && within(middle, box) ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    Corner best = Corner::upper_right;
+    int fewest = -1;
+    for (const Corner corner :
+         {Corner::upper_right, Corner::lower_right, Corner::upper_left, Corner::lower_left}) {
+        if (std::ranges::find(taken, corner) != taken.end()) continue;
+        const int cells = cells_under(corner);
+        if (fewest >= 0 && cells >= fewest) continue;
+        fewest = cells;
+        best = corner;
+    }
+    return best;
+}
+
 std::optional<MapFlow> water_flow_of(const Snapshot& snapshot) {
     if (!has_water(snapshot)) return std::nullopt;
     MapFlow flow;
@@ -230,6 +259,14 @@ void MapPanel::draw_layers_over(Canvas& canvas, const CanvasBox& frame) const {
     draw_layers(canvas, frame, settings_.layers, in_box(layers, frame), {}, {page_pixel});
 }
 
+std::vector<Corner> MapPanel::taken_corners() const {
+    std::vector<Corner> taken;
+    if (settings_.scale_bar) taken.push_back(settings_.scale_bar_corner);
+    if (!settings_.label.empty()) taken.push_back(settings_.label_corner);
+    if (settings_.compass) taken.push_back(settings_.compass_corner);
+    return taken;
+}
+
 void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
     const double margin = furniture_inset_em * canvas.font_size();
     const auto plate = [&](Corner corner, const FurnitureSize& size) {
@@ -237,6 +274,11 @@ void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
         draw_plate(canvas, box);
         return box;
     };
+    std::optional<Corner> legend;
+    if (settings_.placed_layers && has_legend(settings_.layers)) {
+        legend = emptiest_corner(picture_, frame, layer_legend_size(canvas, settings_.layers),
+                                 margin, taken_corners());
+    }
     if (settings_.scale_bar) {
         const BedExtent extent = bed_extent(picture_.values, picture_.scale);
         const ScaleBar bar = round_scale_bar(picture_.scale.in_metres, frame.width / extent.width,
@@ -250,17 +292,13 @@ void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
     }
     if (settings_.arrow) {
         const FurnitureSize size = ground_arrow_size(canvas, *settings_.arrow, map_axes());
-        std::vector<Corner> taken;
-        if (settings_.scale_bar) taken.push_back(settings_.scale_bar_corner);
-        if (!settings_.label.empty()) taken.push_back(settings_.label_corner);
-        if (settings_.compass) taken.push_back(settings_.compass_corner);
-        if (has_legend(settings_.layers)) taken.push_back(settings_.legend_corner);
+        std::vector<Corner> taken = taken_corners();
+        if (legend) taken.push_back(*legend);
         const Corner corner = arrow_corner(picture_.values, frame, size, margin, taken);
         draw_ground_arrow(canvas, *settings_.arrow, map_axes(), plate(corner, size));
     }
-    if (settings_.placed_layers && has_legend(settings_.layers)) {
-        const CanvasBox box =
-            plate(settings_.legend_corner, layer_legend_size(canvas, settings_.layers));
+    if (legend) {
+        const CanvasBox box = plate(*legend, layer_legend_size(canvas, settings_.layers));
         draw_layer_legend(canvas, {box.x, box.y}, settings_.layers, *settings_.placed_layers,
                           page_pixel);
     }

@@ -57,7 +57,6 @@ struct MapPanelSettings {
     std::vector<MapLine> lines;
     std::vector<LayerSettings> layers;  ///< laid over the map; those with a legend have one
     std::shared_ptr<const PlacedLayers> placed_layers{};
-    Corner legend_corner = Corner::upper_right;
     int most_pixels = 2100;  ///< along a side; more cells are averaged
 };
 
@@ -66,6 +65,11 @@ struct MapPanelSettings {
 /// the plate and its `margin` from the frame are units, as those of the frame.
 Corner arrow_corner(const Grid& values, const CanvasBox& frame, const FurnitureSize& size,
                     double margin, const std::vector<Corner>& taken);
+
+/// The corner of a map where a piece covers the fewest cells with a value, of those that are not
+/// `taken`; the upper right one where none is better.
+Corner emptiest_corner(const MapPicture& picture, const CanvasBox& frame, const FurnitureSize& size,
+                       double margin, const std::vector<Corner>& taken);
 
 /// A map as a panel: equal scales along both axes, north up, every cell in the colour that the bar
 /// gives to its value.
@@ -92,6 +96,7 @@ class MapPanel : public PanelContent {
     void draw_lines(Canvas& canvas, const CanvasBox& frame) const;
     void draw_layers_over(Canvas& canvas, const CanvasBox& frame) const;
     void draw_furniture(Canvas& canvas, const CanvasBox& frame) const;
+    [[nodiscard]] std::vector<Corner> taken_corners() const;
 
     MapPicture picture_;
     MapPanelSettings settings_;

@@ -191,7 +191,7 @@ class VectorReader {
         for (int i = 0; i < count; ++i) {
             const VectorPoint point{gdal().OGR_G_GetX(geometry, i), gdal().OGR_G_GetY(geometry, i)};
             if (!std::isfinite(point[0]) || !std::isfinite(point[1]))
-                refuse("at a place that is no number", "mend it (ogr2ogr -makevalid)");
+                refuse("at no finite place", "mend it (ogr2ogr -makevalid)");
             part.push_back(point);
         }
         if (!part.empty()) feature.parts.push_back(std::move(part));
