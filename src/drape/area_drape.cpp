@@ -87,8 +87,8 @@ void lay(std::uint8_t* texel, const std::array<double, 3>& colour, double opacit
     if (sum <= 0.0) return;
     for (std::size_t channel = 0; channel < 3; ++channel)
         texel[channel] = static_cast<std::uint8_t>(
-            (full * colour[channel] * opacity + texel[channel] * under) / sum + 0.5);
-    texel[3] = static_cast<std::uint8_t>(full * sum + 0.5);
+            std::lround((full * colour[channel] * opacity + texel[channel] * under) / sum));
+    texel[3] = static_cast<std::uint8_t>(std::lround(full * sum));
 }
 
 Drape ground_of(const std::shared_ptr<const Drape>& under, double strength, const BedCells& bed) {
@@ -96,7 +96,7 @@ Drape ground_of(const std::shared_ptr<const Drape>& under, double strength, cons
     if (under) {
         drape = *under;
         for (std::size_t at = 3; at < drape.texels.size(); at += 4)
-            drape.texels[at] = static_cast<std::uint8_t>(strength * drape.texels[at] + 0.5);
+            drape.texels[at] = static_cast<std::uint8_t>(std::lround(strength * drape.texels[at]));
     } else {
         double texels = texels_of_cell;
         while (texels * std::max(bed.nx, bed.ny) > longest_drape ||

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <utility>
 
 #include "figure/layers/layer_inks.h"
 
@@ -47,7 +46,7 @@ void draw_points(Canvas& canvas, const LayerSettings& settings, const SeenFeatur
 /// Labels that keep away from one another.
 class LayerLabels {
   public:
-    LayerLabels(Canvas& canvas, const CanvasBox& frame, std::vector<CanvasBox> taken,
+    LayerLabels(Canvas& canvas, const CanvasBox& frame, const std::vector<CanvasBox>& taken,
                 const LayerStyle& style)
         : canvas_(canvas), frame_(frame), style_(style) {
         for (const CanvasBox& box : taken) shown_.push_back({box, 1.0, nullptr});
@@ -155,7 +154,7 @@ class LayerLabels {
 }  // namespace
 
 void draw_layers(Canvas& canvas, const CanvasBox& frame, std::span<const LayerSettings> settings,
-                 const std::vector<SeenLayer>& layers, std::vector<CanvasBox> taken,
+                 const std::vector<SeenLayer>& layers, const std::vector<CanvasBox>& taken,
                  const LayerStyle& style) {
     const CanvasClip clip(canvas, frame);
     for (std::size_t n = 0; n < layers.size(); ++n) {
@@ -167,7 +166,7 @@ void draw_layers(Canvas& canvas, const CanvasBox& frame, std::span<const LayerSe
                 draw_lines(canvas, settings[n], feature, style);
         }
     }
-    LayerLabels labels(canvas, frame, std::move(taken), style);
+    LayerLabels labels(canvas, frame, taken, style);
     for (std::size_t n = 0; n < layers.size(); ++n) {
         for (const SeenFeature& feature : layers[n].features) labels.keep_off(settings[n], feature);
     }

@@ -22,7 +22,7 @@ inline constexpr double page_pixel = 0.75;
 /// Strokes layers within a frame, the first lowest, and writes their labels over all of them, those
 /// of earlier features and layers first; they keep away from one another and from `taken`.
 void draw_layers(Canvas& canvas, const CanvasBox& frame, std::span<const LayerSettings> settings,
-                 const std::vector<SeenLayer>& layers, std::vector<CanvasBox> taken,
+                 const std::vector<SeenLayer>& layers, const std::vector<CanvasBox>& taken,
                  const LayerStyle& style);
 
 /// Whether a layer has an entry in legends.
