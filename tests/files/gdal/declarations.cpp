@@ -49,5 +49,6 @@ SAME(wkbGeometryCollection);
 SAME(OAO_Up);
 SAME(OAO_Down);
 SAME(OAMS_TRADITIONAL_GIS_ORDER);
-static_assert(GDAL_OF_READONLY == 0 && GDAL_OF_RASTER == 2 && GDAL_OF_VECTOR == 4 && OGRERR_NONE == 0);
+static_assert(GDAL_OF_READONLY == 0 && GDAL_OF_RASTER == 2 && GDAL_OF_VECTOR == 4 &&
+              OGRERR_NONE == 0);
 static_assert(GMF_ALL_VALID == 1 && GMF_PER_DATASET == 2 && GMF_NODATA == 8);
