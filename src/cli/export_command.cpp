@@ -18,6 +18,7 @@
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
 #include "drape/lay_drape.h"
+#include "drape/lay_layers.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
 #include "files/netcdf/netcdf_input.h"
@@ -175,6 +176,7 @@ Image picture_from_above(const ExportOptions& options, const std::string& input,
     drawn.bed = snapshot.bed;
     drawn.scale = snapshot.scale;
     lay_drape(scene, drawn);
+    lay_layers(scene, drawn);
     if (!drawn.note.empty()) remark(drawn.note + "\n");
     WorkerPool pool(options.work.threads, "fumon-render");
     const auto painter = make_frame_painter(scene, snapshot, options.work.backend, pool,

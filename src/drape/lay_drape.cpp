@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "base/number_text.h"
@@ -80,7 +83,8 @@ void lay_drape(Scene& scene, InitialBed& initial) {
     scene.view.drape.reset();
     if (scene.view.look.drape.empty()) return;
     const std::vector<InputKey> keys = input_keys(scene);
-    const fs::path file = input_path(scene, keys.back());
+    const auto named = std::ranges::find(keys, key, &InputKey::path);
+    const fs::path file = input_path(scene, *named);
     check_named_file(scene, key, scene.view.look.drape, file);
     if (initial.bed.ny() < 2) {
         throw InputError(scene.at(key) +
@@ -88,7 +92,8 @@ void lay_drape(Scene& scene, InitialBed& initial) {
                          "leave the key out");
     }
     scene.view.drape = read_drape(scene, file, initial);
-    if (initial.inputs.size() < keys.size())
+    const auto before = static_cast<std::size_t>(named - keys.begin());
+    if (initial.inputs.size() <= before)
         initial.inputs.push_back({file.lexically_normal().string(), hex(grid_hash(file))});
 }
 

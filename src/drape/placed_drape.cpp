@@ -113,10 +113,6 @@ void invert(PlacesInPicture& places, const std::array<double, 6>& t) {
     }
 }
 
-std::string system_of(const GeoReference& place) {
-    return place.crs.empty() && place.degrees ? "EPSG:4326" : place.crs;
-}
-
 PlacesInPicture places_over(const PictureSource& picture, const BedCells& bed) {
     PlacesInPicture places;
     const bool placed = picture.place() && bed.place;
@@ -209,6 +205,10 @@ std::array<int, 2> size_of(const PlacesInPicture& places) {
 }
 
 }  // namespace
+
+std::string system_of(const GeoReference& place) {
+    return place.crs.empty() && place.degrees ? "EPSG:4326" : place.crs;
+}
 
 Drape placed_drape(const PictureSource& picture, const BedCells& bed) {
     PlacesInPicture places = places_over(picture, bed);

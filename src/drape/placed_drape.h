@@ -17,6 +17,10 @@ struct BedCells {
     std::optional<GeoReference> place{};
 };
 
+/// The reference system of a place: WGS 84 where it has degrees and names none; empty where it is
+/// not known.
+std::string system_of(const GeoReference& place);
+
 /// The most pixels of a drape, over the whole bed.
 inline constexpr long long most_drape_pixels = 1LL << 24;
 

@@ -244,7 +244,11 @@ void FilmPainter::place_overlays(const FilmSize& size) {
     whole_.view.image.height = size.height;
     for (OverlaySettings& overlay : whole_.view.overlays)
         if (is_own(overlay)) overlay.show = false;
-    if (several) whole_.view.look.contours = WordOrReal{"none", 0.0};  // each run has its own
+    if (several) {  // each run has its own
+        whole_.view.look.contours = WordOrReal{"none", 0.0};
+        whole_.view.layers.clear();
+        whole_.view.placed_layers.reset();
+    }
     overlays_ = make(whole_, side);
     if (!several) return;
     const double pane_side =

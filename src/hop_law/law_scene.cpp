@@ -83,6 +83,7 @@ void move_files(const fs::path& output, PreparedRun& sand) {
     };
     Scene& scene = sand.scene;
     move(scene.view.look.drape);
+    for (LayerSettings& layer : scene.view.layers) move(layer.file);
     if (!scene.bed.file.empty() && !sand.initial.inputs.empty() &&
         fs::path(scene.bed.file).is_relative())
         scene.bed.file = from_folder(sand.initial.inputs.front().path);

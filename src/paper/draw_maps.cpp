@@ -138,6 +138,8 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
         if (settings.crests)
             shown.lines = crest_lines_of(subject.snapshots[k], settings.flux_ratio);
         shown.contours = ground_contours(settings.contours, subject.snapshots[k]);
+        shown.layers = subject.panel.picture->scene.view.layers;
+        shown.placed_layers = subject.panel.picture->scene.view.placed_layers;
         MadePanel one;
         const Values own = shared ? values : values_of(picture);
         if (labels_range_ends(settings)) mark_range_ends(picture.colours, own);

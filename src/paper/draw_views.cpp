@@ -132,6 +132,7 @@ std::vector<MadePanel> make_views(const PanelSubject& subject, PanelTools& tools
         ViewPicture picture = view_picture(view, renderer.render(snapshot), subject.first,
                                            renderer.exaggeration(), progress);
         add_contours(picture, view, settings.contours, subject.first, snapshot);
+        add_layers(picture, view, subject.first, snapshot);
         if (!picture.contours.empty()) {
             one.remarks.push_back(
                 phrase("contours every {} {}", fmt::format("{:g}", picture.contour_interval),

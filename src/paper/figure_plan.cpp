@@ -10,6 +10,7 @@
 #include "base/find_named.h"
 #include "base/nearest_name.h"
 #include "drape/lay_drape.h"
+#include "drape/lay_layers.h"
 #include "figure/words/chosen_words.h"
 #include "files/hash.h"
 #include "files/input_file.h"
@@ -195,6 +196,7 @@ class Planner {
         InitialBed initial = make_initial_bed(scene);
         add_maps(scene, initial);
         lay_drape(scene, initial);
+        lay_layers(scene, initial);
         scene.grid.nx = initial.bed.nx();
         scene.grid.ny = initial.bed.ny();
         note(initial);

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/snapshots/ground_range.h"
+#include "drape/lay_layers.h"
 #include "drape/placed_drape.h"
 #include "files/terrain/geographic.h"
 #include "files/terrain/wanted_unit.h"
@@ -67,8 +68,10 @@ class BedPainter {
         initial.nodata = std::move(first.nodata);
         initial.scale = scale_of(cell_size);
         PreparedRun run = prepare_run(prepare_scene(std::move(scene), std::move(initial)), 1);
-        if (drape)
+        if (drape) {
             run.scene.view.drape = std::make_shared<const Drape>(fitted_drape(*std::move(drape)));
+            lay_layers(run.scene, run.initial);  // whose areas lie over it
+        }
         drawer_ = std::make_unique<Drawer>(run.scene, run.initial.inputs,
                                            std::make_shared<const Snapshot>(run.model->snapshot()));
     }

@@ -11,6 +11,7 @@
 #include "base/nearest_name.h"
 #include "base/snapshots/ground_range.h"
 #include "drape/lay_drape.h"
+#include "drape/lay_layers.h"
 #include "figure/overlays/frame_overlays.h"
 #include "figure/panels/section_figure.h"
 #include "figure/words/chosen_words.h"
@@ -232,6 +233,7 @@ PreparedScene prepare_scene(Scene scene) {
     InitialBed initial = make_initial_bed(scene);
     add_maps(scene, initial);
     lay_drape(scene, initial);
+    lay_layers(scene, initial);
     return with_bed(std::move(scene), std::move(initial));
 }
 
@@ -239,6 +241,7 @@ PreparedScene prepare_scene(Scene scene, InitialBed initial) {
     complete(scene);
     if (initial.maps.empty()) add_maps(scene, initial);
     lay_drape(scene, initial);
+    lay_layers(scene, initial);
     return with_bed(std::move(scene), std::move(initial));
 }
 

@@ -257,6 +257,30 @@ void check_look(const Scene& scene, Faults& faults) {
     }
 }
 
+void check_layers(const Scene& scene, Faults& faults) {
+    const Refuse refuse{scene, faults};
+    for (std::size_t n = 0; n < scene.view.layers.size(); ++n) {
+        const LayerSettings& layer = scene.view.layers[n];
+        const auto key = [n](const char* name) { return fmt::format("layer.{}.{}", n, name); };
+        const auto check_colour = [&](const char* name, const std::string& colour) {
+            if (layer_colour(colour)) return;
+            refuse(key(name), fmt::format("{} is \"{}\"; it takes a colour as \"#b5651d\": two "
+                                          "hexadecimal digits each of red, green and blue",
+                                          key(name), colour));
+        };
+        if (layer.file.empty())
+            refuse(key("file"),
+                   key("file") + " is missing; name a GeoJSON, GeoPackage or shapefile");
+        check_colour("colour", layer.colour);
+        if (!layer.fill.empty()) check_colour("fill", layer.fill);
+        const bool some =
+            std::ranges::any_of(layer.dash, [](double length) { return length > 0.0; });
+        if (!layer.dash.empty() && !some)
+            refuse(key("dash"),
+                   key("dash") + " has no length above 0; write [6, 4], or leave it out");
+    }
+}
+
 void check_streamers(const Scene& scene, Faults& faults) {
     const Refuse refuse{scene, faults};
     const View& view = scene.view;
@@ -309,6 +333,7 @@ void check_scene(const Scene& scene, const std::set<std::string>& faulty, Faults
                          Rules{{"camera", "look"}, check_lens},
                          Rules{{"streamers", "look", "camera"}, check_streamers},
                          Rules{{"sun", "air"}, check_sun},
+                         Rules{{"layer"}, check_layers},
                          Rules{{"figure"}, check_figure},
                          Rules{{"air", "look"}, check_clouds}};
     for (const Rules& rules : all) {

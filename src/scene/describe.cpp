@@ -31,13 +31,16 @@ struct Topic {
     std::string_view heading;
 };
 
-constexpr std::array<Topic, 2> topics{
+constexpr std::array<Topic, 3> topics{
     {{"figure", "figure.",
       "Keys of a paper's figure, for `fumon figure`. N counts the [[figure.panel]] of a scene, "
       "and\n"
       "the [[figure.panel.curve]] and [[figure.panel.box]] of a panel, from 0"},
      {"overlay", "overlay.",
-      "Keys of the overlays on the frames. N counts the [[overlay]] sections of a scene, from 0"}}};
+      "Keys of the overlays on the frames. N counts the [[overlay]] sections of a scene, from 0"},
+     {"layer", "layer.",
+      "Keys of lines, points and areas of vector files over the bed. N counts the [[layer]] "
+      "sections\nof a scene, from 0"}}};
 
 const Topic* topic_of(const std::string& path) {
     for (const Topic& topic : topics) {
@@ -243,7 +246,9 @@ std::string describe_summary() {
         lines.back().second.push_back(dot == std::string::npos ? path : path.substr(dot + 1));
     }
     for (const auto& [name, keys] : lines) text += summary_lines(name, keys);
-    text += "  [[overlay]]  text and plots over the frames\n";
+    text +=
+        "  [[overlay]]  text and plots over the frames; [[layer]]: lines, points and areas of "
+        "files\n";
     text += "  [figure]     a paper's figure, for `fumon figure`\n";
     text += "\nThe models, each with keys of its own under [model]:\n\n";
     for (const ModelEntry& entry : models())
@@ -254,7 +259,8 @@ std::string describe_summary() {
            "default\n"
            "  fumon describe camera.azimuth     one key\n"
            "  fumon describe sand               the keys of a model\n"
-           "  fumon describe overlay            those of [[overlay]]; figure, film and scene "
+           "  fumon describe overlay            those of [[overlay]]; layer, figure, film and "
+           "scene "
            "likewise\n"
            "  fumon describe all                every key of scenes and models\n";
 }

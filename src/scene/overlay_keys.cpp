@@ -50,7 +50,7 @@ void name_parameter_keys(Scene& scene) {
 
 bool has_overlays(const Scene& scene) {
     const auto& overlays = scene.view.overlays;
-    return scene.view.look.draws_contours() ||
+    return scene.view.look.draws_contours() || !scene.view.layers.empty() ||
            std::any_of(overlays.begin(), overlays.end(),
                        [](const OverlaySettings& overlay) { return overlay.show; });
 }

@@ -95,6 +95,11 @@ TEST(LayDrape, PlacesAPictureByItsWorldFile) {
     EXPECT_EQ(texel(drape, 0, 9), (std::array{10 + 10, 10 + 10, 77, 255}));
     EXPECT_EQ(texel(drape, 19, 0), (std::array{10 + 29, 10 + 19, 77, 255}));
     EXPECT_EQ(initial.note, "");
+    // A place that changes is another picture.
+    test::write_text(folder / "map.pgw", "5\n0\n0\n-5\n1007.5\n2147.5\n");
+    InitialBed moved = bed_at(GeoReference{1050.0, 2050.0, 5.0, 5.0});
+    lay_drape(scene, moved);
+    EXPECT_NE(moved.inputs.at(0).hash, initial.inputs.at(0).hash);
 }
 
 TEST(LayDrape, LeavesTheGroundBesideThePicture) {

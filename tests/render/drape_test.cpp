@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "gl/functions.h"
 #include "render/bed/drape_texture.h"
 #include "support/drawn_picture.h"
 #include "support/view_beds.h"
@@ -201,6 +202,39 @@ TEST(Drape, LiesUnderShallowWater) {
     const Image ground = picture(view, bed);
     view.drape = drape_of(8, 8, [](int, int) { return Colour{255, 0, 0, 255}; });
     EXPECT_NE(picture(view, bed), ground);
+}
+
+/// OpenGL 3.3 grants a fragment shader 16 textures. Programs are asked by the names of samplers.
+TEST(Drape, UnderWaterNoProgramHasMoreTexturesThanOpenGlGrants) {
+    constexpr std::array samplers{
+        "lighting_map", "value_map",  "palette",      "mark_map",    "uncoloured_map",
+        "noise_map",    "ground_map", "water_map",    "surface_map", "streak_map",
+        "rill_map",     "ring_map",   "sky_map",      "drape_map",   "visibility",
+        "grain",        "positions",  "shaded",       "kinds",       "height_map",
+        "cloud_map",    "floor_map",  "streamer_map", "offsets",     "finer"};
+    View view = small_view(160, 90);
+    view.drape = drape_of(8, 8, [](int, int) { return Colour{255, 0, 0, 255}; });
+    const Snapshot bed = half_wet(0.3);
+    const auto context = gl::Context::create(gl::Backend::automatic);
+    WorkerPool pool(2);
+    Renderer renderer(*context, view, bed, 100, pool);
+    renderer.render(bed);
+    const gl::Functions& gl = gl::functions();
+    int most = 0;
+    bool draped = false;
+    constexpr GLuint names_tried = 400;
+    for (GLuint program = 1; program < names_tried; ++program) {
+        int count = 0;
+        for (const char* sampler : samplers)
+            count += gl.GetUniformLocation(program, sampler) >= 0 ? 1 : 0;
+        draped = draped || gl.GetUniformLocation(program, "drape_map") >= 0;
+        most = std::max(most, count);
+    }
+    while (gl.GetError() != GL_NO_ERROR) {
+    }
+    EXPECT_TRUE(draped);
+    EXPECT_GT(most, 10);
+    EXPECT_LE(most, 16);
 }
 
 }  // namespace

@@ -127,6 +127,19 @@ void Canvas::fill(std::span<const CanvasPoint> corners, const Ink& ink) {
     cairo_fill(parts_->drawing.get());
 }
 
+void Canvas::fill_rings(std::span<const std::vector<CanvasPoint>> rings, const Ink& ink) {
+    cairo_t* drawing = parts_->drawing.get();
+    parts_->use(ink);
+    for (const std::vector<CanvasPoint>& ring : rings) {
+        cairo_new_sub_path(drawing);
+        for (const CanvasPoint& point : ring) cairo_line_to(drawing, point.x, point.y);
+        cairo_close_path(drawing);
+    }
+    cairo_set_fill_rule(drawing, CAIRO_FILL_RULE_EVEN_ODD);
+    cairo_fill(drawing);
+    cairo_set_fill_rule(drawing, CAIRO_FILL_RULE_WINDING);
+}
+
 void Canvas::fill_circle(const CanvasPoint& middle, double radius, const Ink& ink) {
     parts_->use(ink);
     parts_->trace_circle(middle, radius);

@@ -68,6 +68,8 @@ class Canvas {
 
     void fill(const CanvasBox& box, const Ink& ink);
     void fill(std::span<const CanvasPoint> corners, const Ink& ink);
+    /// What lies within an odd number of outlines.
+    void fill_rings(std::span<const std::vector<CanvasPoint>> rings, const Ink& ink);
     void fill_circle(const CanvasPoint& middle, double radius, const Ink& ink);
     /// `width` in units. Round ends and joints; dashes, which alternate with gaps of the lengths
     /// that follow them, have flat ends.

@@ -185,6 +185,8 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
     }
     if (scene.view.look.draws_contours() && !first.section && first.bed.ny() > 1)
         contours_ = std::make_unique<FrameContours>(on, usual_font(scene.view.image));
+    if (scene.view.placed_layers && !first.section && first.bed.ny() > 1)
+        layers_ = std::make_unique<FrameLayers>(on, usual_font(scene.view.image));
     const auto width = static_cast<double>(scene.view.image.width);
     const auto height = static_cast<double>(scene.view.image.height);
     const double usual = usual_font(scene.view.image);
@@ -230,11 +232,10 @@ FrameOverlays::~FrameOverlays() = default;
 
 void FrameOverlays::draw(Image& image, const OverlayFrame& frame, double opacity) {
     const LanguageScope speaking(words_);
-    if (contours_) {
-        std::vector<CanvasBox> taken;
-        for (const PlacedOverlay& place : placed_) taken.push_back(place.box);
-        contours_->draw(image, frame, taken, opacity);
-    }
+    std::vector<CanvasBox> taken;
+    for (const PlacedOverlay& place : placed_) taken.push_back(place.box);
+    if (contours_) contours_->draw(image, frame, taken, opacity);
+    if (layers_) layers_->draw(image, frame, taken, opacity);
     for (std::size_t i = 0; i < over_all_.size(); ++i)
         over_all_[i].draw(image, over_all_placed_[i], frame, opacity);
     for (std::size_t i = 0; i < drawn_.size(); ++i)

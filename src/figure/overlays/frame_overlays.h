@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "figure/overlays/frame_contours.h"
+#include "figure/overlays/frame_layers.h"
 #include "figure/overlays/overlay.h"
 #include "figure/words/words.h"
 
@@ -57,6 +58,7 @@ class FrameOverlays {
 
     std::shared_ptr<const WordTable> words_;   ///< in which they are written
     std::unique_ptr<FrameContours> contours_;  ///< below all others; null: none
+    std::unique_ptr<FrameLayers> layers_;      ///< above these, below the others; null: none
     std::vector<PlacedOverlay> placed_;
     std::vector<DrawnOverlay> drawn_;
     bool system_fonts_ = false;

@@ -12,6 +12,7 @@
 #include "base/snapshot_lookup.h"
 #include "base/truncation.h"
 #include "figure/canvas/furniture.h"
+#include "figure/layers/draw_layers.h"
 #include "figure/panels/arrow_field.h"
 #include "figure/panels/axis_units.h"
 #include "figure/panels/scale_bar.h"
@@ -55,6 +56,19 @@ double spread_under(const Grid& values, const CanvasBox& frame, const CanvasBox&
 
 }  // namespace
 
+namespace {
+
+/// A map that fills the unit square, north up.
+class FlatGround : public GroundSight {
+  public:
+    [[nodiscard]] std::optional<CanvasPoint> at(const BedPlace& place) const override {
+        return CanvasPoint{place[0], 1.0 - place[1]};
+    }
+    [[nodiscard]] bool visible(const BedPlace&) const override { return true; }
+};
+
+}  // namespace
+
 Corner arrow_corner(const Grid& values, const CanvasBox& frame, const FurnitureSize& size,
                     double margin, const std::vector<Corner>& taken) {
     constexpr double much_less = 0.25;  // of the variance: half of the spread
@@ -68,6 +82,35 @@ Corner arrow_corner(const Grid& values, const CanvasBox& frame, const FurnitureS
         const double here = spread(corner);
         if (here >= least) continue;
         least = here;
+        best = corner;
+    }
+    return best;
+}
+
+Corner emptiest_corner(const MapPicture& picture, const CanvasBox& frame, const FurnitureSize& size,
+                       double margin, const std::vector<Corner>& taken) {
+    const Grid& values = picture.values;
+    const auto cells_under = [&](Corner corner) {
+        const CanvasBox box = corner_box(frame, corner, size, margin);
+        int count = 0;
+        for (int y = 0; y < values.ny(); ++y) {
+            for (int x = 0; x < values.nx(); ++x) {
+                const CanvasPoint middle{frame.x + (x + 0.5) / values.nx() * frame.width,
+                                         frame.bottom() - (y + 0.5) / values.ny() * frame.height};
+                const bool blank = !picture.blank.empty() && picture.blank(x, y) != 0;
+                count += !blank && std::isfinite(values(x, y)) && within(middle, box) ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    Corner best = Corner::upper_right;
+    int fewest = -1;
+    for (const Corner corner :
+         {Corner::upper_right, Corner::lower_right, Corner::upper_left, Corner::lower_left}) {
+        if (std::ranges::find(taken, corner) != taken.end()) continue;
+        const int cells = cells_under(corner);
+        if (fewest >= 0 && cells >= fewest) continue;
+        fewest = cells;
         best = corner;
     }
     return best;
@@ -203,6 +246,27 @@ void MapPanel::draw_lines(Canvas& canvas, const CanvasBox& frame) const {
     }
 }
 
+void MapPanel::draw_layers_over(Canvas& canvas, const CanvasBox& frame) const {
+    if (!settings_.placed_layers) return;
+    const BedExtent extent = bed_extent(picture_.values, picture_.scale);
+    const auto layers = seen_layers({settings_.layers,
+                                     *settings_.placed_layers,
+                                     {0.0, 0.0, 1.0, 1.0},
+                                     extent.width,
+                                     extent.height,
+                                     true},
+                                    FlatGround());
+    draw_layers(canvas, frame, settings_.layers, in_box(layers, frame), {}, {page_pixel});
+}
+
+std::vector<Corner> MapPanel::taken_corners() const {
+    std::vector<Corner> taken;
+    if (settings_.scale_bar) taken.push_back(settings_.scale_bar_corner);
+    if (!settings_.label.empty()) taken.push_back(settings_.label_corner);
+    if (settings_.compass) taken.push_back(settings_.compass_corner);
+    return taken;
+}
+
 void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
     const double margin = furniture_inset_em * canvas.font_size();
     const auto plate = [&](Corner corner, const FurnitureSize& size) {
@@ -210,6 +274,11 @@ void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
         draw_plate(canvas, box);
         return box;
     };
+    std::optional<Corner> legend;
+    if (settings_.placed_layers && has_legend(settings_.layers)) {
+        legend = emptiest_corner(picture_, frame, layer_legend_size(canvas, settings_.layers),
+                                 margin, taken_corners());
+    }
     if (settings_.scale_bar) {
         const BedExtent extent = bed_extent(picture_.values, picture_.scale);
         const ScaleBar bar = round_scale_bar(picture_.scale.in_metres, frame.width / extent.width,
@@ -223,12 +292,15 @@ void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
     }
     if (settings_.arrow) {
         const FurnitureSize size = ground_arrow_size(canvas, *settings_.arrow, map_axes());
-        std::vector<Corner> taken;
-        if (settings_.scale_bar) taken.push_back(settings_.scale_bar_corner);
-        if (!settings_.label.empty()) taken.push_back(settings_.label_corner);
-        if (settings_.compass) taken.push_back(settings_.compass_corner);
+        std::vector<Corner> taken = taken_corners();
+        if (legend) taken.push_back(*legend);
         const Corner corner = arrow_corner(picture_.values, frame, size, margin, taken);
         draw_ground_arrow(canvas, *settings_.arrow, map_axes(), plate(corner, size));
+    }
+    if (legend) {
+        const CanvasBox box = plate(*legend, layer_legend_size(canvas, settings_.layers));
+        draw_layer_legend(canvas, {box.x, box.y}, settings_.layers, *settings_.placed_layers,
+                          page_pixel);
     }
     if (settings_.compass)
         draw_compass(canvas, map_axes(),
@@ -241,6 +313,7 @@ void MapPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     const double thin = 0.5 * canvas.line_width();
     PanelMargins room{thin, thin, thin, thin};
     if (settings_.contours) draw_contours_over(canvas, frame);
+    draw_layers_over(canvas, frame);
     if (settings_.flow) draw_flow(canvas, axes);
     draw_lines(canvas, frame);
     draw_furniture(canvas, frame);

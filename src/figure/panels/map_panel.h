@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "figure/panels/ground_arrow.h"
 #include "figure/panels/map_picture.h"
 #include "figure/plot/axes.h"
+#include "scene/view/layers.h"
 
 namespace fumon {
 
@@ -53,6 +55,8 @@ struct MapPanelSettings {
     std::optional<MapFlow> flow;
     std::optional<GroundContours> contours;
     std::vector<MapLine> lines;
+    std::vector<LayerSettings> layers;  ///< laid over the map; those with a legend have one
+    std::shared_ptr<const PlacedLayers> placed_layers{};
     int most_pixels = 2100;  ///< along a side; more cells are averaged
 };
 
@@ -61,6 +65,11 @@ struct MapPanelSettings {
 /// the plate and its `margin` from the frame are units, as those of the frame.
 Corner arrow_corner(const Grid& values, const CanvasBox& frame, const FurnitureSize& size,
                     double margin, const std::vector<Corner>& taken);
+
+/// The corner of a map where a piece covers the fewest cells with a value, of those that are not
+/// `taken`; the upper right one where none is better.
+Corner emptiest_corner(const MapPicture& picture, const CanvasBox& frame, const FurnitureSize& size,
+                       double margin, const std::vector<Corner>& taken);
 
 /// A map as a panel: equal scales along both axes, north up, every cell in the colour that the bar
 /// gives to its value.
@@ -85,7 +94,9 @@ class MapPanel : public PanelContent {
     void draw_flow(Canvas& canvas, const Axes& axes) const;
     void draw_contours_over(Canvas& canvas, const CanvasBox& frame) const;
     void draw_lines(Canvas& canvas, const CanvasBox& frame) const;
+    void draw_layers_over(Canvas& canvas, const CanvasBox& frame) const;
     void draw_furniture(Canvas& canvas, const CanvasBox& frame) const;
+    [[nodiscard]] std::vector<Corner> taken_corners() const;
 
     MapPicture picture_;
     MapPanelSettings settings_;

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "figure/layers/draw_layers.h"
 #include "figure/panels/block_coordinates.h"
 #include "figure/words/words.h"
 
@@ -105,6 +106,7 @@ struct ViewPanel::Placement {
     CanvasBox heights;  ///< the exaggeration's text
     CanvasBox arrow;
     CanvasBox compass;
+    CanvasBox legend;
     PanelMargins margins;  ///< without the colour bar
 };
 
@@ -203,6 +205,10 @@ ViewPanel::Placement ViewPanel::place(const Canvas& canvas, const CanvasBox& fra
         placement.compass = put(compass_size(canvas, visible_axes(picture_.in(frame))),
                                 {upper_left, lower_left, lower_right, upper_right});
     }
+    if (has_legend(picture_.layer_settings)) {
+        placement.legend = put(layer_legend_size(canvas, picture_.layer_settings),
+                               {lower_left, upper_left, lower_right, upper_right});
+    }
     if (settings_.exaggeration && picture_.exaggeration != 1.0) {
         placement.heights = text(phrase("heights × {}", fmt::format("{:g}", picture_.exaggeration)),
                                  {lower_left, lower_right, upper_left, upper_right});
@@ -245,6 +251,12 @@ void ViewPanel::draw_contours_over(Canvas& canvas, const CanvasBox& frame) const
     draw_contours(canvas, frame, lines, picture_.contour_interval);
 }
 
+void ViewPanel::draw_layers_over(Canvas& canvas, const CanvasBox& frame) const {
+    if (!picture_.placed_layers) return;
+    draw_layers(canvas, frame, picture_.layer_settings, in_box(picture_.layers, frame), {},
+                {page_pixel});
+}
+
 PanelMargins ViewPanel::margins(const Canvas& canvas, double width, double height) const {
     return with_colour_bar(canvas, place(canvas, {0.0, 0.0, width, height}).margins,
                            settings_.colour_bar, settings_.colours, width, height);
@@ -253,14 +265,15 @@ PanelMargins ViewPanel::margins(const Canvas& canvas, double width, double heigh
 void ViewPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     // As margins() found it, whatever the rounding of the frame's place.
     Placement placement = place(canvas, {0.0, 0.0, frame.width, frame.height});
-    for (CanvasBox* box :
-         {&placement.label, &placement.arrow, &placement.compass, &placement.heights}) {
+    for (CanvasBox* box : {&placement.label, &placement.arrow, &placement.compass,
+                           &placement.heights, &placement.legend}) {
         box->x += frame.x;
         box->y += frame.y;
     }
     placement.bar = bar_beside(frame, placement.bar_off);
     canvas.draw(picture_.image, frame);
     draw_contours_over(canvas, frame);
+    draw_layers_over(canvas, frame);
     if (settings_.coordinates) draw_coordinates(canvas, frame);
     const GroundAxes axes = visible_axes(picture_.in(frame));
     const auto text = [&](const std::string& words, const CanvasBox& box) {
@@ -270,6 +283,10 @@ void ViewPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     if (!settings_.label.empty()) text(settings_.label, placement.label);
     if (settings_.arrow) draw_ground_arrow(canvas, *settings_.arrow, axes, placement.arrow);
     if (settings_.compass) draw_compass(canvas, axes, placement.compass);
+    if (has_legend(picture_.layer_settings)) {
+        draw_layer_legend(canvas, {placement.legend.x, placement.legend.y}, picture_.layer_settings,
+                          *picture_.placed_layers, page_pixel);
+    }
     if (settings_.exaggeration && picture_.exaggeration != 1.0)
         text(phrase("heights × {}", fmt::format("{:g}", picture_.exaggeration)), placement.heights);
     draw_placed_bar(canvas, frame, placement.margins, settings_.colour_bar, settings_.colours);

@@ -47,6 +47,7 @@ class ViewPanel : public PanelContent {
     [[nodiscard]] std::vector<CoordinateMark> marks_in(const Canvas& canvas,
                                                        const CanvasBox& frame) const;
     void draw_contours_over(Canvas& canvas, const CanvasBox& frame) const;
+    void draw_layers_over(Canvas& canvas, const CanvasBox& frame) const;
     void draw_coordinates(Canvas& canvas, const CanvasBox& frame) const;
     [[nodiscard]] bool empty(const CanvasBox& frame, const CanvasBox& box) const;
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "figure/panels/projected_ground.h"
 #include "figure/panels/relief_view.h"
 #include "render/view/framing.h"
 #include "render/view/shown_snapshot.h"
@@ -102,6 +103,23 @@ void add_contours(ViewPicture& picture, const View& view, const WordOrReal& aske
         block_of_frame(picture.block, view.look, averaged_first ? *averaged_first : first, shown);
     picture.contours = visible_contours(*contours, shown, projection);
     picture.contour_interval = contours->interval;
+}
+
+void add_layers(ViewPicture& picture, const View& view, const Snapshot& first,
+                const Snapshot& snapshot) {
+    if (!view.placed_layers) return;
+    const std::optional<Snapshot> averaged = shown_snapshot(snapshot, view);
+    const Snapshot& shown = averaged ? *averaged : snapshot;
+    const std::optional<Snapshot> averaged_first = shown_snapshot(first, view);
+    constexpr CanvasBox square{0.0, 0.0, 1.0, 1.0};
+    ViewProjection projection = picture.in(square);
+    projection.block =
+        block_of_frame(picture.block, view.look, averaged_first ? *averaged_first : first, shown);
+    picture.layers = seen_layers(
+        {view.layers, *view.placed_layers, square, picture.length_x, picture.length_y, false},
+        ProjectedGround(shown, projection));
+    picture.layer_settings = view.layers;
+    picture.placed_layers = view.placed_layers;
 }
 
 }  // namespace fumon

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "base/image.h"
 #include "base/snapshot.h"
+#include "figure/layers/seen_layers.h"
 #include "figure/panels/contours.h"
 #include "figure/panels/ground_axes.h"
 #include "scene/scene.h"
@@ -25,6 +29,10 @@ struct ViewPicture {
     /// Lines of equal height where they are seen: the cut picture is 1 wide and 1 high.
     std::vector<CanvasContour> contours{};
     double contour_interval = 1.0;
+    /// Layers where they are seen, in the same square; their settings, and how they lie on the bed.
+    std::vector<SeenLayer> layers{};
+    std::vector<LayerSettings> layer_settings{};
+    std::shared_ptr<const PlacedLayers> placed_layers{};
 
     /// The view where the cut picture fills `frame`.
     [[nodiscard]] ViewProjection in(const CanvasBox& frame) const;
@@ -44,5 +52,9 @@ double outline_width(const ImageSettings& image);
 /// ground_contours().
 void add_contours(ViewPicture& picture, const View& view, const WordOrReal& asked,
                   const Snapshot& first, const Snapshot& snapshot);
+
+/// Draws the layers of a view over the ground of a snapshot whose picture that is.
+void add_layers(ViewPicture& picture, const View& view, const Snapshot& first,
+                const Snapshot& snapshot);
 
 }  // namespace fumon

@@ -29,6 +29,8 @@ GDALDatasetH GDALCreate(GDALDriverH driver, const char* name, int nx, int ny, in
 GDALDatasetH GDALCreateCopy(GDALDriverH driver, const char* name, GDALDatasetH source, int strict,
                             const char* const* options, GDALProgressFunc progress, void* data);
 int GDALDataTypeIsComplex(GDALDataType type);
+int GDALDatasetGetLayerCount(GDALDatasetH dataset);
+OGRLayerH GDALDatasetGetLayer(GDALDatasetH dataset, int number);
 GDALDriverH GDALGetDatasetDriver(GDALDatasetH dataset);
 const char* GDALGetDescription(GDALMajorObjectH object);
 GDALDriverH GDALGetDriverByName(const char* name);
@@ -71,6 +73,27 @@ OGRCoordinateTransformationH OCTNewCoordinateTransformation(OGRSpatialReferenceH
                                                             OGRSpatialReferenceH to);
 int OCTTransform(OGRCoordinateTransformationH transformation, int count, double* x, double* y,
                  double* z);
+void OGR_F_Destroy(OGRFeatureH feature);
+const char* OGR_F_GetFieldAsString(OGRFeatureH feature, int field);
+OGRGeometryH OGR_F_GetGeometryRef(OGRFeatureH feature);
+int OGR_F_IsFieldSetAndNotNull(OGRFeatureH feature, int field);
+int OGR_FD_GetFieldCount(OGRFeatureDefnH definition);
+OGRFieldDefnH OGR_FD_GetFieldDefn(OGRFeatureDefnH definition, int field);
+const char* OGR_Fld_GetNameRef(OGRFieldDefnH field);
+void OGR_G_DestroyGeometry(OGRGeometryH geometry);
+int OGR_G_GetGeometryCount(OGRGeometryH geometry);
+OGRGeometryH OGR_G_GetGeometryRef(OGRGeometryH geometry, int part);
+OGRwkbGeometryType OGR_G_GetGeometryType(OGRGeometryH geometry);
+OGRGeometryH OGR_G_GetLinearGeometry(OGRGeometryH geometry, double max_angle, char** options);
+int OGR_G_GetPointCount(OGRGeometryH geometry);
+double OGR_G_GetX(OGRGeometryH geometry, int point);
+double OGR_G_GetY(OGRGeometryH geometry, int point);
+int OGR_G_HasCurveGeometry(OGRGeometryH geometry, int look_for_non_linear);
+OGRFeatureDefnH OGR_L_GetLayerDefn(OGRLayerH layer);
+const char* OGR_L_GetName(OGRLayerH layer);
+OGRFeatureH OGR_L_GetNextFeature(OGRLayerH layer);
+OGRSpatialReferenceH OGR_L_GetSpatialRef(OGRLayerH layer);
+OGRErr OGR_L_SetAttributeFilter(OGRLayerH layer, const char* condition);
 OGRSpatialReferenceH OSRCloneGeogCS(OGRSpatialReferenceH crs);
 void OSRDestroySpatialReference(OGRSpatialReferenceH crs);
 OGRErr OSRExportToWktEx(OGRSpatialReferenceH crs, char** text, const char* const* options);

@@ -14,6 +14,11 @@ using GDALDriverH = void*;
 using GDALColorTableH = void*;
 using OGRSpatialReferenceH = void*;
 using OGRCoordinateTransformationH = void*;
+using OGRLayerH = void*;
+using OGRFeatureH = void*;
+using OGRFeatureDefnH = void*;
+using OGRFieldDefnH = void*;
+using OGRGeometryH = void*;
 struct GDALWarpOptions;
 using GDALProgressFunc = int (*)(double, const char*, void*);
 
@@ -46,12 +51,24 @@ struct GDALColorEntry {
     short c1, c2, c3, c4;
 };
 enum GDALResampleAlg { GRA_NearestNeighbour = 0, GRA_Bilinear = 1 };
+/// Of two dimensions; others have thousands, and the highest bit, added.
+enum OGRwkbGeometryType : unsigned int {
+    wkbUnknown = 0,
+    wkbPoint = 1,
+    wkbLineString = 2,
+    wkbPolygon = 3,
+    wkbMultiPoint = 4,
+    wkbMultiLineString = 5,
+    wkbMultiPolygon = 6,
+    wkbGeometryCollection = 7,
+};
 enum OGRAxisOrientation { OAO_Other = 0, OAO_Up = 5, OAO_Down = 6 };
 enum OSRAxisMappingStrategy { OAMS_TRADITIONAL_GIS_ORDER = 0 };
 
 #ifndef GDAL_OF_RASTER  // which are macros in GDAL's headers
 constexpr unsigned int GDAL_OF_READONLY = 0x00;
 constexpr unsigned int GDAL_OF_RASTER = 0x02;
+constexpr unsigned int GDAL_OF_VECTOR = 0x04;
 constexpr int GMF_ALL_VALID = 0x01;
 constexpr int GMF_PER_DATASET = 0x02;
 constexpr int GMF_NODATA = 0x08;

@@ -46,6 +46,7 @@ std::vector<std::string> endings_beside(const std::string& ending) {
         endings.push_back({'.', ending[1], ending.back(), 'w'});
         endings.push_back(ending + 'w');
     }
+    if (ending == ".shp") endings.insert(endings.end(), {".shx", ".dbf", ".cpg"});
     if (ending == ".img") endings.emplace_back(".ige");
     if (ending == ".sdat") endings.emplace_back(".sgrd");
     if (ending == ".sgrd") endings.emplace_back(".sdat");
@@ -104,7 +105,7 @@ void add_named(const fs::path& vrt, const std::string& before, int depth,
 void add_parts(const fs::path& grid, const std::string& before, int depth,
                std::vector<GridPart>& parts) {
     const std::string ending = in_case(grid.extension().string(), std::tolower);
-    constexpr std::array alone{".nc"sv, ".nc4"sv, ".cdf"sv, ".png"sv, ".zarr"sv};
+    constexpr std::array alone{".nc"sv, ".nc4"sv, ".cdf"sv, ".zarr"sv};
     if (std::ranges::find(alone, ending) != alone.end() || !is_file(grid)) return;
     const auto add = [&](const fs::path& file, const std::string& role) {
         if (file == grid || !is_file(file)) return;

@@ -39,7 +39,7 @@ std::string why_trust_is_needed_by_name(const fs::path& file) {
     if (ending == ".vrt") return "a VRT names other files";
     if (ending == ".zarr") return "a Zarr store is a folder of files";
     constexpr std::array many{".img"sv, ".gpkg"sv, ".bil"sv,  ".bip"sv,  ".bsq"sv, ".flt"sv,
-                              ".ers"sv, ".rst"sv,  ".sdat"sv, ".sgrd"sv, ".ddf"sv};
+                              ".ers"sv, ".rst"sv,  ".sdat"sv, ".sgrd"sv, ".ddf"sv, ".shp"sv};
     if (std::ranges::find(many, ending) == many.end()) return {};
     return fmt::format("its format ({}) may name other files", ending);
 }
@@ -52,8 +52,9 @@ std::string why_trust_is_needed(const fs::path& file) {
     const auto formats = terrain_formats();
     const auto format = std::ranges::find_if(
         formats, [&](const TerrainFormat& one) { return one.is_one(file, start); });
-    if (format->name != "geotiff" && format->name != "raster") return {};
-    if (!is_read_untrusted(file)) return "its format may name other files";
+    const bool png = format->name == "png";  // whose place as a drape is beside it
+    if (!png && format->name != "geotiff" && format->name != "raster") return {};
+    if (!png && !is_read_untrusted(file)) return "its format may name other files";
     const std::vector<GridPart> parts = grid_parts(file);
     if (parts.empty()) return {};
     return fmt::format("{} beside it belongs to it", parts.front().file.filename().string());

@@ -187,7 +187,7 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
       block_(block),
       refinement_(first_bed.z.nx() / first.bed.nx()),
       mipmaps_(mipmaps),
-      shaded_mipmaps_(view.look.ground == Ground::endless || view.drape ||
+      shaded_mipmaps_(view.look.ground == Ground::endless || view.laid() != nullptr ||
                       longer_shaded_side(first_bed, samples_across) >
                           texels_per_sample * samples_across),
       by_pixels_(shades_water_by_pixel(view, first)),
@@ -210,7 +210,8 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
     if (draws_water(view.look, first))
         water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny(), refinement_,
                        by_pixels_ ? &mipmaps : nullptr);
-    if (view.drape) drape_.emplace(*view.drape, view.look, bed_share);
+    if (const Drape* laid = view.laid(); laid != nullptr)
+        drape_.emplace(*laid, view.look, bed_share);
 }
 
 void BedShading::draw_noise() {

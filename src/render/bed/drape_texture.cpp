@@ -149,7 +149,7 @@ std::vector<DrapeLevel> drape_levels(const Drape& drape) {
 DrapeTexture::DrapeTexture(const Drape& drape, const LookSettings& look,
                            const glm::dvec2& bed_share)
     : texture_(drape.width, drape.height, drape_layout(look, bed_share)),
-      strength_(static_cast<float>(look.drape_strength)),
+      strength_(drape.strength_counts ? static_cast<float>(look.drape_strength) : 1.0F),
       bed_share_(bed_share) {
     const std::vector<DrapeLevel> levels = drape_levels(drape);
     for (std::size_t level = 0; level < levels.size(); ++level)

@@ -67,8 +67,8 @@ void find_inputs(Scene& scene, const std::vector<InputFile>& inputs, const fs::p
                  std::string_view what) {
     const std::vector<InputKey> keys = input_keys(scene);
     for (std::size_t k = 0; k < keys.size() && k < inputs.size(); ++k) {
-        const bool another =
-            keys[k].path == "look.drape" && scene.set_on_command_line("look.drape");
+        const bool over_bed = keys[k].path == "look.drape" || keys[k].path.starts_with("layer.");
+        const bool another = over_bed && scene.set_on_command_line(keys[k].path);
         if (!another) *keys[k].file = find_input(inputs[k], place, what).string();
     }
 }

@@ -19,7 +19,7 @@ std::filesystem::path find_input(const InputFile& input, const std::filesystem::
                                  std::string_view what);
 
 /// Puts the inputs of a run, as find_input() finds them, in the place of the files that its scene
-/// names (input_keys); a drape that the command line names stays.
+/// names (input_keys); a drape or layer that the command line names stays.
 void find_inputs(Scene& scene, const std::vector<InputFile>& inputs,
                  const std::filesystem::path& place, std::string_view what);
 

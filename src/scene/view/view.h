@@ -8,6 +8,7 @@
 #include "keys/word_or_real.h"
 #include "scene/figure/figure_settings.h"
 #include "scene/view/drape.h"
+#include "scene/view/layers.h"
 
 namespace fumon {
 
@@ -203,7 +204,14 @@ struct View {
     std::vector<PersonSettings> persons;
     std::vector<TrackSettings> tracks;
     StreamerSettings streamers;
+    std::vector<LayerSettings> layers;
     std::shared_ptr<const Drape> drape{};  ///< of look.drape, once it is read; null: none
+    std::shared_ptr<const PlacedLayers> placed_layers{};  ///< once they are read; null: none
+
+    /// What is laid over the ground: the drape and the areas of layers; null: nothing.
+    [[nodiscard]] const Drape* laid() const {
+        return placed_layers && placed_layers->areas ? placed_layers->areas.get() : drape.get();
+    }
 };
 
 }  // namespace fumon

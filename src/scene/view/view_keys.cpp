@@ -93,6 +93,7 @@ void list_view_keys(View& view, KeyTable& table) {
                  list_person_keys);
     table.tables("track", view.tracks, "prints in the sand along a line (scenic, perspective)",
                  list_track_keys);
+    list_layers(view.layers, table);
 }
 
 }  // namespace fumon

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "keys/keys.h"
 #include "scene/view/view.h"
 
@@ -15,5 +17,7 @@ void list_sun_keys(SunSettings& sun, KeyTable& table);
 void list_air_keys(AirSettings& air, KeyTable& table);
 /// … and colours, ground, heights and water.
 void list_look_keys(LookSettings& look, KeyTable& table);
+/// Those of what lies over the ground from files, [[layer]].
+void list_layers(std::vector<LayerSettings>& layers, KeyTable& table);
 
 }  // namespace fumon

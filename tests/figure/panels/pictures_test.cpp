@@ -167,6 +167,47 @@ TEST(MapPanel, ShowsABackgroundWhereCellsHaveNoValue) {
     EXPECT_EQ(pixel_at(coarse, 4, 3), (Pixel{170, 15, 9}));
 }
 
+/// A line from corner to corner of a map, whose pixels lie where it lies; its legend keeps off the
+/// cells with values.
+TEST(MapPanel, ShowsLayersAndTheirLegend) {
+    MapPicture picture;
+    picture.values = Grid(60, 40, 0.5);
+    picture.blank = Mask(60, 40, 0);
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 30; ++x) picture.blank(x, y) = 1;  // in the south-west
+    picture.colours = {read_palette("grey"), 0.0, 1.0, ""};
+    EXPECT_EQ(emptiest_corner(picture, {0.0, 0.0, 600.0, 400.0}, {150.0, 40.0}, 10.0, {}),
+              Corner::lower_left);
+    EXPECT_EQ(emptiest_corner(picture, {0.0, 0.0, 600.0, 400.0}, {150.0, 40.0}, 10.0,
+                              {Corner::lower_left, Corner::upper_right}),
+              Corner::lower_right);
+    PlacedLayers placed;
+    placed.layers.resize(1);
+    LayerFeature area;
+    area.shape = LayerShape::areas;
+    area.rings = {{{0.6, 0.6}, {0.8, 0.6}, {0.8, 0.8}, {0.6, 0.8}}};
+    LayerFeature line;
+    line.lines = {{{0.5, 0.0}, {0.5, 1.0}}};
+    placed.layers[0].features = {area, line};
+    MapPanelSettings settings;
+    settings.axes = false;
+    settings.colour_bar = BarPosition::none;
+    settings.layers.resize(1);
+    settings.layers[0].colour = "#ff0000";
+    settings.layers[0].fill_opacity = 1.0;
+    settings.layers[0].width = 4.0;
+    settings.placed_layers = std::make_shared<const PlacedLayers>(placed);
+    Canvas canvas(600, 400, 12.0);
+    MapPanel(picture, settings).draw(canvas, {0.0, 0.0, 600.0, 400.0});
+    const Image image = canvas.image();
+    const Pixel red{255, 0, 0};
+    EXPECT_EQ(pixel_at(image, 300, 200), red);
+    EXPECT_EQ(pixel_at(image, 299, 30), red);
+    EXPECT_NE(pixel_at(image, 305, 200), red);
+    EXPECT_EQ(pixel_at(image, 420, 120), red);  // within the area, north up
+    EXPECT_NE(pixel_at(image, 420, 280), red);
+}
+
 TEST(HillLight, DarkensSlopesThatTurnAwayFromTheSunAndNoLevelGround) {
     WorkerPool pool(2);
     Snapshot snapshot;

@@ -7,6 +7,7 @@
 #include <cpl_vsi.h>
 #include <gdal.h>
 #include <gdalwarper.h>
+#include <ogr_api.h>
 #include <ogr_srs_api.h>
 
 #define FUMON_GDAL_HEADERS
@@ -38,8 +39,16 @@ SAME(GCI_RedBand);
 SAME(GCI_BlueBand);
 SAME(GCI_AlphaBand);
 SAME(GRA_Bilinear);
+SAME(wkbPoint);
+SAME(wkbLineString);
+SAME(wkbPolygon);
+SAME(wkbMultiPoint);
+SAME(wkbMultiLineString);
+SAME(wkbMultiPolygon);
+SAME(wkbGeometryCollection);
 SAME(OAO_Up);
 SAME(OAO_Down);
 SAME(OAMS_TRADITIONAL_GIS_ORDER);
-static_assert(GDAL_OF_READONLY == 0 && GDAL_OF_RASTER == 2 && OGRERR_NONE == 0);
+static_assert(GDAL_OF_READONLY == 0 && GDAL_OF_RASTER == 2 && GDAL_OF_VECTOR == 4 &&
+              OGRERR_NONE == 0);
 static_assert(GMF_ALL_VALID == 1 && GMF_PER_DATASET == 2 && GMF_NODATA == 8);

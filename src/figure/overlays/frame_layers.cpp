@@ -1,0 +1,43 @@
+#include "figure/overlays/frame_layers.h"
+
+#include <optional>
+
+#include "figure/canvas/layers.h"
+#include "figure/layers/draw_layers.h"
+#include "figure/panels/projected_ground.h"
+#include "render/view/framing.h"
+#include "render/view/shown_snapshot.h"
+
+namespace fumon {
+
+FrameLayers::FrameLayers(const OverlayScene& on, double font_size)
+    : scene_(on.scene),
+      first_(on.shown),
+      block_(framed_block(on.scene.view, on.shown)),
+      length_x_(on.first.bed.nx() * on.first.scale.dx),
+      length_y_(on.first.bed.ny() * on.first.scale.dy),
+      moves_(on.camera_moves || on.scene.view.camera.turn != 0.0),
+      font_size_(font_size) {}
+
+void FrameLayers::draw(Image& image, const OverlayFrame& frame, const std::vector<CanvasBox>& taken,
+                       double opacity) const {
+    const std::optional<Snapshot> reshaped = shown_snapshot(frame.snapshot, scene_.view);
+    const Snapshot& snapshot = reshaped ? *reshaped : frame.snapshot;
+    const Block block = block_of_frame(block_, scene_.view.look, first_, snapshot);
+    const Camera camera =
+        frame.camera != nullptr
+            ? *frame.camera
+            : above_ground(camera_at_step(scene_.view, block_, snapshot.step, scene_.run.steps),
+                           block, snapshot);
+    const CanvasBox picture{0.0, 0.0, static_cast<double>(image.width),
+                            static_cast<double>(image.height)};
+    const ViewProjection view{camera, block, picture};
+    const auto layers = seen_layers(
+        {scene_.view.layers, *scene_.view.placed_layers, picture, length_x_, length_y_, false},
+        ProjectedGround(snapshot, view));
+    Canvas canvas(image.width, image.height, font_size_, CanvasGround::transparent);
+    draw_layers(canvas, picture, scene_.view.layers, layers, taken, {1.0, moves_});
+    composite_over(image, canvas.layer(), 0, 0, opacity);
+}
+
+}  // namespace fumon

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "base/image.h"
+#include "figure/canvas/canvas_box.h"
+#include "figure/overlays/overlay.h"
+#include "render/view/block.h"
+
+namespace fumon {
+
+/// The layers of a scene over its frames ([[layer]]), where the camera sees the ground they lie on.
+class FrameLayers {
+  public:
+    /// Of the frames of a scene, which outlives them. `font_size` in pixels.
+    FrameLayers(const OverlayScene& on, double font_size);
+
+    /// Draws them over a frame; labels keep away from boxes that are `taken`.
+    void draw(Image& image, const OverlayFrame& frame, const std::vector<CanvasBox>& taken,
+              double opacity) const;
+
+  private:
+    const Scene& scene_;
+    Snapshot first_;  ///< as it is drawn
+    Block block_;
+    double length_x_;  ///< of the bed, metres or sites
+    double length_y_;
+    bool moves_;
+    double font_size_;
+};
+
+}  // namespace fumon
