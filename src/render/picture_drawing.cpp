@@ -31,6 +31,13 @@ void PictureDrawing::upload_bed_maps() {
     const Snapshot& reference = reference_ ? *reference_ : state_.first_ground();
     if (state_.world) {
         state_.shading.upload(picture_.ground_shown(), reference, lit_.light, state_.origin);
+        if (!lit_.water) return;
+        if (state_.plain) {
+            state_.shading.upload_water(*lit_.water_tile, state_.plain->own_tile(reference),
+                                        *lit_.water);
+        } else {
+            state_.shading.upload_water(shown_, reference, *lit_.water);
+        }
     } else {
         state_.shading.upload(shown_, reference, lit_.texels, lit_.water ? &*lit_.water : nullptr);
     }
