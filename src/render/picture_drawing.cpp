@@ -18,7 +18,9 @@ PictureDrawing::PictureDrawing(RendererState& state, const ReadyPicture& picture
     if (picture.pose.reference)
         reference_ = FrameSetting::shown_first(drawable(*picture.pose.reference), s.view);
     if (reference_ && s.plain)
-        reference_ = SurroundingPlain(*reference_, s.pool).around(*reference_);
+        reference_ = s.plain->is_drained()
+                         ? s.plain->around(*reference_)
+                         : SurroundingPlain(*reference_, s.pool).around(*reference_);
     const bool held = s.uploaded == picture.lit && !reference_;
     fresh_ = !held || !s.world;
     s.uploaded = reference_ ? nullptr : picture.lit;

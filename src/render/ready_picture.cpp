@@ -21,8 +21,7 @@ namespace {
 Snapshot with_water_level(Snapshot ground) {
     const Field<float> depth = water_depths(ground);
     for (std::size_t i = 0; i < depth.size(); ++i)
-        ground.bed.values()[i] +=
-            static_cast<double>(depth.values()[i]) / ground.scale.height_unit;
+        ground.bed.values()[i] += static_cast<double>(depth.values()[i]) / ground.scale.height_unit;
     return ground;
 }
 
@@ -36,8 +35,13 @@ std::shared_ptr<const LitBed> RendererState::lit_bed(const ReadyPicture& picture
     lit->snapshot = picture.snapshot;
     lit->sun = sun;
     if (world) {
-        if (plain) lit->in_plain = SurroundingPlain(shown, with).around(shown);
-        if (plain && water) lit->water_tile = plain->own_tile(*lit->in_plain);
+        if (plain)
+            lit->in_plain = plain->is_drained() ? plain->around(shown)
+                                                : SurroundingPlain(shown, with).around(shown);
+        if (plain && water) {
+            lit->water_tile = plain->own_tile(*lit->in_plain);
+            lit->water_tile->rain = plain->rain_over_tile(shown);
+        }
         const Block framed = plain ? plain->ground_of(picture.framed) : picture.framed;
         if (water) lit->water = display_water(plain ? *lit->water_tile : shown, refinement);
         const Snapshot& ground = plain ? *lit->in_plain : shown;
