@@ -21,6 +21,7 @@ constexpr double wander_share = 0.1;       // of the margin: how far aside river
 constexpr double low_share = 0.25;         // of the frame's cells, below the bed's lowest edge
 constexpr double least_fall_share = 1e-3;  // of the mean gradient, from a cell to the next
 constexpr double steepest_share = 1.5;     // of hillslopes: beside valleys that lead out
+constexpr int coarse_cell = 8;             // cells: over which slopes at the bed's edge are led on
 constexpr double begins_within = 10.0;     // cells from the bed
 constexpr double ends_within = 4.0;        // cells: water that no valley takes
 constexpr double least_stream = 3.0;       // of closed_depth: water that a valley takes
@@ -79,7 +80,7 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
             cells.values()[i] = relief_.values()[i] <= outlet ? LandCell::outlet : LandCell::wall;
         }
     }
-    fill_in_tension(missing, between);
+    lead_over(missing, outside, between);
     own_ = Grid(nx_, ny_);
     for (std::size_t i = 0; i < own_.size(); ++i)
         own_.values()[i] = outside.values()[i] == 0
@@ -90,6 +91,54 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
     for (std::size_t i = 0; i < cells.size(); ++i)
         leaves.values()[i] = cells.values()[i] == LandCell::outlet ? 1 : 0;
     downstream_ = route_flow(own_, leaves, dx, dy).receiver;
+}
+
+void SurroundingPlain::lead_over(Grid& tile, const Mask& outside, const Mask& between) const {
+    const int nx = std::max(nx_ / coarse_cell, 4);
+    const int ny = std::max(ny_ / coarse_cell, 4);
+    struct Means {
+        double sum = 0.0;
+        int known = 0;
+        int between = 0;
+    };
+    std::vector<Means> means(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny));
+    for (int y = 0; y < ny_; ++y) {
+        for (int x = 0; x < nx_; ++x) {
+            const auto at = static_cast<std::size_t>(y * ny / ny_) * static_cast<std::size_t>(nx) +
+                            static_cast<std::size_t>(x * nx / nx_);
+            if (between(x, y) != 0) {
+                ++means[at].between;
+            } else {
+                ++means[at].known;
+                means[at].sum += outside(x, y) == 0 ? tile(x, y) : 0.0;
+            }
+        }
+    }
+    Grid coarse(nx, ny);
+    Mask unknown(nx, ny);
+    for (std::size_t i = 0; i < means.size(); ++i) {
+        unknown.values()[i] = means[i].between > means[i].known ? 1 : 0;
+        if (means[i].known > 0) coarse.values()[i] = means[i].sum / means[i].known;
+    }
+    fill_in_tension(coarse, unknown);
+    Grid led(nx_, ny_);
+    for (int y = 0; y < ny_; ++y) {
+        const double v = (y + 0.5) * ny / ny_ - 0.5 + ny;
+        const int low = static_cast<int>(v);
+        for (int x = 0; x < nx_; ++x) {
+            const double u = (x + 0.5) * nx / nx_ - 0.5 + nx;
+            const int left = static_cast<int>(u);
+            const auto row = [&](int at) {
+                return std::lerp(coarse(left % nx, at % ny), coarse((left + 1) % nx, at % ny),
+                                 u - left);
+            };
+            led(x, y) = std::lerp(row(low), row(low + 1), v - low);
+        }
+    }
+    led = broad(led);
+    for (std::size_t i = 0; i < tile.size(); ++i) tile.values()[i] -= led.values()[i];
+    fill_in_tension(tile, between);
+    for (std::size_t i = 0; i < tile.size(); ++i) tile.values()[i] += led.values()[i];
 }
 
 /// Water that has a depth runs on from the edge as deep as it is there, along the way down; the

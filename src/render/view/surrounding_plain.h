@@ -67,6 +67,9 @@ class SurroundingPlain {
                      WorkerPool& pool);
 
     void make_land(const Snapshot& first, const Mask& outside);
+    /// Fills in what is `between` in steps, so that slopes go on over some ten cells: the plate in
+    /// tension gives them up within two of its own.
+    void lead_over(Grid& tile, const Mask& outside, const Mask& between) const;
     /// Without features of a few cells.
     [[nodiscard]] Grid broad(const Grid& tile) const;
     void add_water(const Snapshot& snapshot, Snapshot& maps) const;
