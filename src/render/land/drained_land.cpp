@@ -15,8 +15,6 @@ namespace fumon {
 
 namespace {
 
-constexpr double concavity = 0.45;         // of graded rivers
-constexpr std::size_t enough_in_bin = 8;   // cells
 constexpr int coarse_side = 288;           // cells of the longer side, about
 constexpr int reorganisations = 2;         // on coarse cells
 constexpr double fine_share = 0.3;         // of the noise, that fine valleys begin with
@@ -24,10 +22,6 @@ constexpr double least_fall_share = 1e-3;  // of a hillslope's steepness, from a
 constexpr int most_smoothings = 8;
 constexpr double uneven = 0.35;     // logarithm: slopes of places with drained areas alike
 constexpr double dome_share = 0.1;  // of a hillslope's steepness, towards the tile's middle
-
-std::size_t bin_of(double area, double cell) {
-    return static_cast<std::size_t>(std::max(std::ilogb(std::max(area / cell, 1.0)), 0));
-}
 
 /// The lowest heights over the outlets that let each cell stand above one of its neighbours as the
 /// area that drains through it asks for: by the cheapest way to an outlet (Dijkstra 1959), so that
@@ -178,24 +172,6 @@ void fill(Grid& heights, const Field<LandCell>& cells, double dx, double dy, dou
     }
 }
 
-/// The mean change of slope from cell to cell, along both axes.
-double mean_bend(const Grid& heights, const Mask& nodata, double dx, double dy) {
-    const auto known = [&](int x, int y) { return nodata.empty() || nodata(x, y) == 0; };
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (int y = 1; y + 1 < heights.ny(); ++y) {
-        for (int x = 1; x + 1 < heights.nx(); ++x) {
-            if (!known(x, y) || !known(x - 1, y) || !known(x + 1, y) || !known(x, y - 1) ||
-                !known(x, y + 1))
-                continue;
-            sum += std::abs(heights(x + 1, y) - 2.0 * heights(x, y) + heights(x - 1, y)) / dx +
-                   std::abs(heights(x, y + 1) - 2.0 * heights(x, y) + heights(x, y - 1)) / dy;
-            ++count;
-        }
-    }
-    return count > 0 ? sum / static_cast<double>(count) : 0.0;
-}
-
 /// (1 2 1)/4 along both axes; `still` cells stay, and so do edges.
 void smooth(Grid& heights, const Mask& still) {
     const Grid before = heights;
@@ -241,61 +217,6 @@ Grid lowest_beside(const Grid& heights, const Field<LandCell>& cells, double dx,
 }
 
 }  // namespace
-
-SlopeByArea::SlopeByArea(const Grid& heights, const Mask& nodata, double dx, double dy)
-    : cell_(dx * dy) {
-    const FlowRouting routing = route_flow(heights, nodata, dx, dy);
-    const Grid area = drainage_area(routing);
-    struct Bin {
-        double sum = 0.0;
-        std::size_t count = 0;
-    };
-    std::vector<Bin> bins;
-    for (const std::int32_t cell : routing.upward) {
-        const double length = routing.length(cell);
-        if (length == 0.0) continue;
-        const std::size_t bin = bin_of(area.values()[static_cast<std::size_t>(cell)], cell_);
-        if (bin >= bins.size()) bins.resize(bin + 1);
-        bins[bin].sum += routing.fall(cell) / length;
-        ++bins[bin].count;
-    }
-    for (const Bin& bin : bins) {
-        if (bin.count < enough_in_bin) break;
-        slopes_.push_back(bin.sum / static_cast<double>(bin.count));
-    }
-}
-
-double SlopeByArea::at(double area) const {
-    if (slopes_.empty()) return 0.0;
-    const double octave = elementary::log(std::max(area / cell_, 1.0)) / std::numbers::ln2;
-    const auto last = static_cast<double>(slopes_.size() - 1);
-    if (octave >= last)
-        return slopes_.back() * elementary::exp(-concavity * std::numbers::ln2 * (octave - last));
-    const auto bin = static_cast<std::size_t>(octave);
-    return std::lerp(slopes_[bin], slopes_[bin + 1], octave - static_cast<double>(bin));
-}
-
-double mean_gradient(const Grid& heights, const Mask& nodata, double dx, double dy) {
-    const auto known = [&](int x, int y) { return nodata.empty() || nodata(x, y) == 0; };
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (int y = 1; y + 1 < heights.ny(); ++y) {
-        for (int x = 1; x + 1 < heights.nx(); ++x) {
-            if (!known(x - 1, y) || !known(x + 1, y) || !known(x, y - 1) || !known(x, y + 1))
-                continue;
-            const double east = (heights(x + 1, y) - heights(x - 1, y)) / (2.0 * dx);
-            const double north = (heights(x, y + 1) - heights(x, y - 1)) / (2.0 * dy);
-            sum += std::sqrt(east * east + north * north);
-            ++count;
-        }
-    }
-    return count > 0 ? sum / static_cast<double>(count) : 0.0;
-}
-
-LandRelief relief_of(const Grid& heights, const Mask& nodata, double dx, double dy) {
-    const double gradient = mean_gradient(heights, nodata, dx, dy);
-    return {gradient, gradient > 0.0 ? mean_bend(heights, nodata, dx, dy) / gradient : 0.0};
-}
 
 void drain(Grid& heights, const Field<LandCell>& cells, double dx, double dy, double least_fall) {
     carve(heights, cells, routing_over(heights, cells, Walls::without_end, dx, dy), least_fall);
