@@ -2,7 +2,7 @@
 // common/light.glsl, sky/sky.glsl, bed/bed.glsl, bed/water_body.glsl and bed/soil.glsl before it.
 uniform sampler2D ground_map;   // dampness of the ground, what was laid down on it (0 … 1 for −1 … 1), its palette place
 uniform sampler2D water_map;    // depth (m, below 0 on banks), velocity east and north (m/s)
-uniform sampler2D surface_map;  // slopes of the surface eastward and northward, that of the depth
+uniform sampler2D water_surface_map;  // slopes of the surface eastward and northward, that of the depth
 uniform float clarity;         // depth at which the bed is half hidden, m
 uniform float usual_froude;    // the median of the wet cells
 uniform float closed_depth;    // from which water covers what stands out of the ground of a cell, m
@@ -40,7 +40,7 @@ float depth_at(vec2 position, float level) { return max(textureLod(water_map, po
 
 Water water_at(vec2 position, float level) {
     vec4 texel = textureLod(water_map, position, max(level, shore_level));
-    vec4 surface = textureLod(surface_map, position, max(level, shore_level));
+    vec4 surface = textureLod(water_surface_map, position, max(level, shore_level));
     Water water;
     water.depth = max(texel.x, 0.0);
     water.speed = length(texel.yz);

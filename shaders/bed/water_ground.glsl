@@ -35,15 +35,17 @@ vec3 mirrored_light(vec3 mirrored, vec3 albedo, BedPoint point) {
     return mix(studio > 0.5 ? studio_around(normalize(mirrored)) : sky(normalize(mirrored)), banks, hidden * smoothstep(0.02, 0.10, bank));
 }
 
-// The display colour of a place (0 … 1) that lies at `world_point`, and in alpha how much of the grain is seen. `width`: of
-// the smallest thing to be seen there, block lengths; `level`: of the maps' mipmaps.
-vec4 water_ground(vec2 position, vec3 world_point, float width, float level) {
-    BedPoint point = bed_point(textureLod(lighting_map, position, level));
+struct WetGround {
+    vec3 light;
+    float film;    // of water, 0 … 1
+    float grainy;  // how much of the grain is seen
+    Laid cover;
+};
+
+// The light that leaves a place (0 … 1 in the maps) which lies at `world_point`. `water`: of it, and `shown` of the ground there;
+// `width`: of the smallest thing to be seen there, block lengths.
+WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, vec3 shown, vec3 world_point, vec3 to_eye, float width) {
     vec2 world = world_point.xy;
-    vec3 to_eye = direction_to_eye(world_point);
-    vec3 shown = ground_at(position, level);
-    vec3 albedo = natural > 0.5 ? ground_albedo(position, point, shown.b) : ground_albedo(position, point);
-    Water water = water_at(position, level);
     float visible = tinted;
     float laid = 2.0 * shown.g - 1.0;
     Soil soil = soil_at(world_point, point, width, clamp(-laid, 0.0, 1.0));
@@ -108,8 +110,18 @@ vec4 water_ground(vec2 position, vec3 world_point, float width, float level) {
         surface = mix(surface, foam_light, foam);
         light = mix(light, surface, water.film);
     }
-    vec3 displayed = display_from_linear(tone_curve(with_haze(light, world_point, -to_eye)));
     float grainy = 1.0 - visible * water.film * grain_hidden;
     if (draped > 0.5) grainy *= 1.0 - cover.share;
-    return vec4(as_it_is(displayed, cover, 1.0 - visible * water.film), grainy);
+    return WetGround(light, visible * water.film, grainy, cover);
+}
+
+// The display colour of a place of a block, and in alpha how much of the grain is seen. `level`: of the maps' mipmaps.
+vec4 water_ground(vec2 position, vec3 world_point, float width, float level) {
+    BedPoint point = bed_point(textureLod(lighting_map, position, level));
+    vec3 to_eye = direction_to_eye(world_point);
+    vec3 shown = ground_at(position, level);
+    vec3 albedo = natural > 0.5 ? ground_albedo(position, point, shown.b) : ground_albedo(position, point);
+    WetGround ground = wet_ground(position, point, albedo, water_at(position, level), shown, world_point, to_eye, width);
+    vec3 displayed = display_from_linear(tone_curve(with_haze(ground.light, world_point, -to_eye)));
+    return vec4(as_it_is(displayed, ground.cover, 1.0 - ground.film), ground.grainy);
 }

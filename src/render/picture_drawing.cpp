@@ -18,7 +18,9 @@ PictureDrawing::PictureDrawing(RendererState& state, const ReadyPicture& picture
     if (picture.pose.reference)
         reference_ = FrameSetting::shown_first(drawable(*picture.pose.reference), s.view);
     if (reference_ && s.plain)
-        reference_ = SurroundingPlain(*reference_, s.pool).around(*reference_);
+        reference_ = s.plain->is_drained()
+                         ? s.plain->around(*reference_)
+                         : SurroundingPlain(*reference_, s.pool).around(*reference_);
     const bool held = s.uploaded == picture.lit && !reference_;
     fresh_ = !held || !s.world;
     s.uploaded = reference_ ? nullptr : picture.lit;
@@ -31,6 +33,13 @@ void PictureDrawing::upload_bed_maps() {
     const Snapshot& reference = reference_ ? *reference_ : state_.first_ground();
     if (state_.world) {
         state_.shading.upload(picture_.ground_shown(), reference, lit_.light, state_.origin);
+        if (!lit_.water) return;
+        if (state_.plain) {
+            state_.shading.upload_water(*lit_.water_tile, state_.plain->own_tile(reference),
+                                        *lit_.water);
+        } else {
+            state_.shading.upload_water(shown_, reference, *lit_.water);
+        }
     } else {
         state_.shading.upload(shown_, reference, lit_.texels, lit_.water ? &*lit_.water : nullptr);
     }

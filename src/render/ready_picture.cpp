@@ -1,6 +1,7 @@
 #include "render/ready_picture.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "base/error.h"
@@ -14,6 +15,18 @@
 
 namespace fumon {
 
+namespace {
+
+/// A bed up to the surface of its water, which is what light falls on and what is seen.
+Snapshot with_water_level(Snapshot ground) {
+    const Field<float> depth = water_depths(ground);
+    for (std::size_t i = 0; i < depth.size(); ++i)
+        ground.bed.values()[i] += static_cast<double>(depth.values()[i]) / ground.scale.height_unit;
+    return ground;
+}
+
+}  // namespace
+
 std::shared_ptr<const LitBed> RendererState::lit_bed(const ReadyPicture& picture,
                                                      const SunDirection& sun,
                                                      WorkerPool& with) const {
@@ -22,10 +35,18 @@ std::shared_ptr<const LitBed> RendererState::lit_bed(const ReadyPicture& picture
     lit->snapshot = picture.snapshot;
     lit->sun = sun;
     if (world) {
-        if (plain) lit->in_plain = SurroundingPlain(shown, with).around(shown);
+        if (plain)
+            lit->in_plain = plain->is_drained() ? plain->around(shown)
+                                                : SurroundingPlain(shown, with).around(shown);
+        if (plain && water) {
+            lit->water_tile = plain->own_tile(*lit->in_plain);
+            lit->water_tile->rain = plain->rain_over_tile(shown);
+        }
         const Block framed = plain ? plain->ground_of(picture.framed) : picture.framed;
-        lit->light = repeated_light(plain ? *lit->in_plain : shown, framed, refinement, origin, sun,
-                                    prevailing_direction(shown), with);
+        if (water) lit->water = display_water(plain ? *lit->water_tile : shown, refinement);
+        const Snapshot& ground = plain ? *lit->in_plain : shown;
+        lit->light = repeated_light(water ? with_water_level(ground) : ground, framed, refinement,
+                                    origin, sun, prevailing_direction(shown), with);
         if (view.streamers.strength > 0.0)
             lit->blown = blown_sand(shown, view, picture.framed, sun);
         lit->heights = std::make_shared<const HeightPyramid>(std::move(lit->light.z), framed.tiles,

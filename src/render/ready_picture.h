@@ -22,11 +22,12 @@ namespace fumon {
 struct LitBed {
     std::shared_ptr<const Snapshot> snapshot;
     SunDirection sun;
-    DisplayBed bed;                     ///< of a block
-    std::vector<std::uint16_t> texels;  ///< likewise, see lighting_texels()
-    std::optional<DisplayWater> water;  ///< likewise, where it is drawn
-    RepeatedLight light;                ///< of endless ground, without its heights
-    std::optional<Snapshot> in_plain;   ///< the bed as the ground's maps hold it, where it ends
+    DisplayBed bed;                      ///< of a block
+    std::vector<std::uint16_t> texels;   ///< likewise, see lighting_texels()
+    std::optional<DisplayWater> water;   ///< where it is drawn: of a block, or of `water_tile`
+    RepeatedLight light;                 ///< of endless ground, without its heights
+    std::optional<Snapshot> in_plain;    ///< the bed as the ground's maps hold it, where it ends
+    std::optional<Snapshot> water_tile;  ///< likewise, the bed's own tile alone, where it has water
     std::shared_ptr<const HeightPyramid> heights;
     std::optional<BlownSand> blown;  ///< where it is drawn
 };

@@ -208,8 +208,9 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
     if (!by_pixels_) target_.emplace(target_size_.x, target_size_.y, target_layout_);
     if (view.look.mode == ViewMode::scenic) draw_noise();
     if (draws_water(view.look, first))
-        water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny(), refinement_,
-                       by_pixels_ ? &mipmaps : nullptr);
+        water_.emplace(view, block, first_bed.z.nx() / block.tiles.count(), first_bed.z.ny(),
+                       refinement_,
+                       by_pixels_ || view.look.ground == Ground::endless ? &mipmaps : nullptr);
     if (const Drape* laid = view.laid(); laid != nullptr)
         drape_.emplace(*laid, view.look, bed_share);
 }
@@ -290,6 +291,17 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first, const R
     upload_marks(snapshot, origin);
 }
 
+void BedShading::upload_water(const Snapshot& snapshot, const Snapshot& first,
+                              const DisplayWater& water) {
+    const Field<float> values(water.depth.nx(), water.depth.ny());
+    water_->upload(snapshot, first, water, palette_coordinates(values, {0.0, 1.0}));
+}
+
+void BedShading::bind_water(const gl::Program& program, const std::array<int, 5>& units,
+                            const Camera& camera) const {
+    if (water_) water_->set_uniforms(program, units, camera, 0.0);
+}
+
 void BedShading::bind(const gl::Program& program, const glm::dvec2& texel) const {
     lighting_.bind(0);
     values_.bind(1);
@@ -325,11 +337,11 @@ void BedShading::bind_all(const gl::Program& program, const Light& light, const 
                           double texel) const {
     bind(program, texel / glm::dvec2(block_.width_x, block_.width_y));
     set_light(program, view_, light, camera, block_);
-    if (water_) water_->set_uniforms(program, 6, camera, texel);
+    if (water_) water_->set_uniforms(program, {6, 7, 8, 9, 10}, camera, texel);
 }
 
 bool BedShading::sized_by_view() const {
-    return water_ || (drape_ && view_.look.ground != Ground::endless);
+    return (water_ || drape_) && view_.look.ground != Ground::endless;
 }
 
 /// Of ground under water or a drape, which have detail below the grid: as fine as the picture shows

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -44,6 +45,8 @@ class BedShading {
     /// The same for endless ground.
     void upload(const Snapshot& snapshot, const Snapshot& first, const RepeatedLight& light,
                 const DrawnOrigin& origin);
+    /// Uploads the water over endless ground; of one that ends, of its own tile.
+    void upload_water(const Snapshot& snapshot, const Snapshot& first, const DisplayWater& water);
 
     /// Shades what was uploaded, unless that is left to WaterPixels.
     void shade(const Light& light, const Camera& camera);
@@ -56,6 +59,10 @@ class BedShading {
     /// `texel`: see WaterShading::set_uniforms().
     void bind_all(const gl::Program& program, const Light& light, const Camera& camera,
                   double texel) const;
+
+    /// Binds the water over endless ground to five units and 14; nothing where none is drawn.
+    void bind_water(const gl::Program& program, const std::array<int, 5>& units,
+                    const Camera& camera) const;
 
     /// The values at the palette's ends in what was shaded last.
     [[nodiscard]] const FrameColourRange& range() const { return range_; }

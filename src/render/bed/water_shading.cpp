@@ -24,7 +24,10 @@ const gl::TextureLayout map_layout{GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_LINEAR, 0, 
 const gl::TextureLayout wet_ground_layout{GL_RGBA8,  GL_RGBA, GL_UNSIGNED_BYTE,
                                           GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
 
-gl::TextureLayout with_mipmaps(gl::TextureLayout layout, const gl::MipmapMaker* mipmaps) {
+/// `repeats`: over ground that repeats to the horizon.
+gl::TextureLayout with_mipmaps(gl::TextureLayout layout, const gl::MipmapMaker* mipmaps,
+                               bool repeats) {
+    if (repeats) layout.wrap = GL_REPEAT;
     if (mipmaps != nullptr) {
         layout.minification = GL_LINEAR_MIPMAP_NEAREST;
         layout.coarsest_mip_level = 3;
@@ -36,6 +39,10 @@ const gl::TextureLayout streak_layout{GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LI
 
 const gl::TextureLayout ring_layout{
     GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_NEAREST, GL_REPEAT};
+
+bool repeats(const View& view, const Block& block) {
+    return view.look.ground == Ground::endless && !block.tiles.plain;
+}
 
 constexpr int ring_unit = 14;  // sand that blows has it elsewhere
 
@@ -173,9 +180,9 @@ WaterShading::WaterShading(const View& view, const Block& block, int nx, int ny,
       mipmaps_(mipmaps),
       cell_x_(block.width_x / nx),
       cell_y_(block.width_y / ny),
-      ground_(nx, ny, with_mipmaps(wet_ground_layout, mipmaps)),
-      water_(nx, ny, with_mipmaps(map_layout, mipmaps)),
-      surface_(nx, ny, with_mipmaps(map_layout, mipmaps)),
+      ground_(nx, ny, with_mipmaps(wet_ground_layout, mipmaps, repeats(view, block))),
+      water_(nx, ny, with_mipmaps(map_layout, mipmaps, repeats(view, block))),
+      surface_(nx, ny, with_mipmaps(map_layout, mipmaps, repeats(view, block))),
       streaks_(grain_size, grain_size, streak_layout, streak_texels().data()),
       rills_(grain_size, grain_size, streak_layout, rill_texels(streak_texels()).data()),
       rings_(ring_texels, ring_texels, ring_layout) {
@@ -214,19 +221,19 @@ void WaterShading::upload(const Snapshot& snapshot, const Snapshot& first,
     }
 }
 
-void WaterShading::set_uniforms(const gl::Program& program, int unit, const Camera& camera,
-                                double texel) const {
-    water_.bind(unit);
-    surface_.bind(unit + 1);
-    streaks_.bind(unit + 2);
-    ground_.bind(unit + 3);
-    rills_.bind(unit + 4);
+void WaterShading::set_uniforms(const gl::Program& program, const std::array<int, 5>& units,
+                                const Camera& camera, double texel) const {
+    water_.bind(units[0]);
+    surface_.bind(units[1]);
+    streaks_.bind(units[2]);
+    ground_.bind(units[3]);
+    rills_.bind(units[4]);
     rings_.bind(ring_unit);
-    program.set("water_map", unit);
-    program.set("surface_map", unit + 1);
-    program.set("streak_map", unit + 2);
-    program.set("ground_map", unit + 3);
-    program.set("rill_map", unit + 4);
+    program.set("water_map", units[0]);
+    program.set("water_surface_map", units[1]);
+    program.set("streak_map", units[2]);
+    program.set("ground_map", units[3]);
+    program.set("rill_map", units[4]);
     program.set("ring_map", ring_unit);
     program.set("ring_layers", rains_ ? ring_layers : 0);
     program.set("ring_tile_m", static_cast<float>(ring_tile_m / block_.side));

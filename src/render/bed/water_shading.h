@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "base/grid.h"
@@ -34,10 +35,10 @@ class WaterShading {
     void upload(const Snapshot& snapshot, const Snapshot& first, const DisplayWater& water,
                 const Field<std::uint16_t>& values);
 
-    /// Sets the uniforms of the program in use; its textures take the units from `unit` on.
-    /// `texel` is that of what is shaded, in block lengths; 0 where that is pixels.
-    void set_uniforms(const gl::Program& program, int unit, const Camera& camera,
-                      double texel) const;
+    /// Sets the uniforms of the program in use; its textures take five units, and 14 for the rings
+    /// of drops. `texel` is that of what is shaded, in block lengths; 0 where that is pixels.
+    void set_uniforms(const gl::Program& program, const std::array<int, 5>& units,
+                      const Camera& camera, double texel) const;
 
     /// The depth at which the bed is half hidden in what was taken last, metres.
     [[nodiscard]] double clarity() const { return clarity_; }

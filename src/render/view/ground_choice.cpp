@@ -14,7 +14,6 @@ const char* endless_ground_obstacle(const View& view, const Snapshot& first) {
     if (view.camera.projection != Projection::perspective)
         return "is for the perspective camera (camera.projection)";
     if (first.bed.ny() < 2 || first.section) return "is for beds of more than one row";
-    if (draws_water(view.look, first)) return "is for beds without water";
     if (view.look.draws_contours()) return "shows no contours (look.contours)";
     if (view.look.background == Background::transparent)
         return "leaves nothing transparent (look.background)";
@@ -23,7 +22,8 @@ const char* endless_ground_obstacle(const View& view, const Snapshot& first) {
 
 bool is_endless(const View& view, const Snapshot& first) {
     if (view.look.ground == Ground::automatic)
-        return !is_bounded(first) && endless_ground_obstacle(view, first) == nullptr;
+        return !is_bounded(first) && !draws_water(view.look, first) &&
+               endless_ground_obstacle(view, first) == nullptr;
     return view.look.ground == Ground::endless;
 }
 

@@ -15,6 +15,7 @@
 #include "numerics/smooth_step.h"
 #include "numerics/tension_surface.h"
 #include "render/view/bilinear_height.h"
+#include "render/view/water.h"
 
 namespace fumon {
 
@@ -127,6 +128,8 @@ SurroundingPlain::SurroundingPlain(const Snapshot& first, WorkerPool& pool)
     const Field<float> depth = distances_to(outside);
     find_level(heights, outside, depth);
     make_relief(heights, outside, depth, pool);
+    const bool land = first.landform == Landform::terrain || first.landform == Landform::water;
+    if (land && first.bed.ny() > 1) make_land(first, outside);
 }
 
 Mask SurroundingPlain::outside_of(const Mask& nodata) const {
@@ -169,6 +172,11 @@ void SurroundingPlain::find_level(const Grid& heights, const Mask& outside,
         ++count;
     }
     if (count > 0) level_ = sum / static_cast<double>(count);
+}
+
+Grid SurroundingPlain::broad(const Grid& tile) const {
+    constexpr int radius = 8;  // cells
+    return smoothed(tile, Grid(nx_, ny_, 1.0), radius);
 }
 
 void SurroundingPlain::make_relief(const Grid& heights, const Mask& outside,
@@ -264,16 +272,24 @@ Grid SurroundingPlain::continued(const Grid& field, const Mask& nodata) const {
 
 Snapshot SurroundingPlain::around(const Snapshot& snapshot) const {
     const Mask outside = outside_of(snapshot.nodata);
-    const Mask between = between_bed_and_plain(outside);
     const Grid heights = in_tile(snapshot.bed);
+    Grid ground = own_;
+    if (!is_drained()) {
+        ground = Grid(nx_, ny_);
+        for (std::size_t i = 0; i < ground.size(); ++i)
+            ground.values()[i] = level_ + roughness_.values()[i] * relief_.values()[i];
+    }
     // What is missing to the bed's heights.
     Grid missing(nx_, ny_);
+    bool misses = false;
     for (std::size_t i = 0; i < missing.size(); ++i) {
         if (outside.values()[i] != 0) continue;
-        missing.values()[i] =
-            heights.values()[i] - level_ - roughness_.values()[i] * relief_.values()[i];
+        missing.values()[i] = is_drained() ? heights.values()[i] - own_.values()[i]
+                                           : heights.values()[i] - level_ -
+                                                 roughness_.values()[i] * relief_.values()[i];
+        misses = misses || missing.values()[i] != 0.0;
     }
-    fill_in_tension(missing, between);
+    if (misses) fill_in_tension(missing, between_bed_and_plain(outside));
     Snapshot maps;
     maps.step = snapshot.step;
     maps.time = snapshot.time;
@@ -287,15 +303,14 @@ Snapshot SurroundingPlain::around(const Snapshot& snapshot) const {
     maps.bed = Grid(2 * nx_, ny_);
     for (int y = 0; y < ny_; ++y) {
         for (int x = 0; x < nx_; ++x) {
-            maps.bed(x, y) = outside(x, y) == 0
-                                 ? heights(x, y)
-                                 : level_ + roughness_(x, y) * relief_(x, y) + missing(x, y);
+            maps.bed(x, y) = outside(x, y) == 0 ? heights(x, y) : ground(x, y) + missing(x, y);
             maps.bed(nx_ + x, y) = level_ + relief_(x, y);
         }
     }
     for (const SnapshotField& field : snapshot.fields)
         maps.fields.push_back(
             {field.name, field.long_name, field.unit, continued(field.values, snapshot.nodata)});
+    if (is_drained() && has_water(snapshot)) add_water(snapshot, maps);
     return maps;
 }
 

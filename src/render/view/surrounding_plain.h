@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
+
 #include "base/grid.h"
 #include "base/snapshot.h"
 #include "render/view/block.h"
@@ -21,6 +24,12 @@ bool is_bounded(const Snapshot& snapshot);
 /// 2011). Near the bed the relief is as rough as the edge is there, and a thin plate in tension
 /// lies between both, so that heights and slopes meet the edge. Within the bed nothing changes. A
 /// bed that ends somewhere is there once, also where it would repeat along one axis.
+///
+/// Around land, a bed of the landforms terrain and water, there is land that is drained: its relief
+/// is DrainedTile's, of the bed's own slopes by drained area, and in the bed's tile drain_between()
+/// leads valleys out from where the bed's water leaves. It is made of the first bed, so that a film
+/// shows one land; what changes at a bed's edge later goes on over it as a thin plate. Water runs
+/// on from the edge along the valleys' beds, and other water ends within a few cells.
 class SurroundingPlain {
   public:
     /// Of a bed, as it is shown.
@@ -40,6 +49,13 @@ class SurroundingPlain {
     /// The block of the ground: of one tile, its origin and scale those of the bed's.
     [[nodiscard]] Block ground_of(const Block& bed) const;
 
+    /// Rain on the bed, over the bed's own tile.
+    [[nodiscard]] std::function<Grid(double from, double until)> rain_over_tile(
+        const Snapshot& snapshot) const;
+
+    /// Whether the land around is drained.
+    [[nodiscard]] bool is_drained() const { return !own_.empty(); }
+
   private:
     [[nodiscard]] bool inside(int x, int y, const Mask& nodata) const;
     [[nodiscard]] Mask outside_of(const Mask& nodata) const;
@@ -50,6 +66,14 @@ class SurroundingPlain {
     void make_relief(const Grid& heights, const Mask& outside, const Field<float>& depth,
                      WorkerPool& pool);
 
+    void make_land(const Snapshot& first, const Mask& outside);
+    /// Fills in what is `between` in steps, so that slopes go on over some ten cells: the plate in
+    /// tension gives them up within two of its own.
+    void lead_over(Grid& tile, const Mask& outside, const Mask& between) const;
+    /// Without features of a few cells.
+    [[nodiscard]] Grid broad(const Grid& tile) const;
+    void add_water(const Snapshot& snapshot, Snapshot& maps) const;
+
     int bed_nx_;
     int bed_ny_;
     int nx_;  ///< of a tile
@@ -59,6 +83,8 @@ class SurroundingPlain {
     double level_ = 0.0;
     Grid relief_;     ///< of a tile of the plain alone
     Grid roughness_;  ///< by which it is multiplied in the bed's tile
+    Grid own_;        ///< of drained land: the bed's tile with the first bed; else empty
+    Field<std::int32_t> downstream_;  ///< of its cells, see FlowRouting
 };
 
 }  // namespace fumon

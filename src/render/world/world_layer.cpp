@@ -53,9 +53,24 @@ gl::Constants shading_constants(gl::Constants fixed, const View& view, ShadingPa
 
 }  // namespace
 
-WorldLayer::GroundPrograms::GroundPrograms(const gl::Constants& fixed)
-    : near("common/screen.vert.glsl", "world/world_near.frag.glsl", {}, fixed),
-      far("common/screen.vert.glsl", "world/world_far.frag.glsl", {}, fixed) {}
+gl::Program WorldLayer::near_program(gl::Constants fixed, bool wet) {
+    if (wet) fixed.push_back({"of_far", 0.0F});
+    return {"common/screen.vert.glsl",
+            wet ? "world/world_wet.frag.glsl" : "world/world_near.frag.glsl",
+            {},
+            fixed};
+}
+
+gl::Program WorldLayer::far_program(gl::Constants fixed, bool wet) {
+    if (wet) fixed.push_back({"of_far", 1.0F});
+    return {"common/screen.vert.glsl",
+            wet ? "world/world_wet.frag.glsl" : "world/world_far.frag.glsl",
+            {},
+            fixed};
+}
+
+WorldLayer::GroundPrograms::GroundPrograms(const gl::Constants& fixed, bool wet)
+    : near(near_program(fixed, wet)), far(far_program(fixed, wet)) {}
 
 WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
                        const DrawnOrigin& origin, const TileWarp& copies,
@@ -71,11 +86,13 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
                                                : ripple_wavelength_cells * cell_ * refinement),
       origin_(origin),
       copies_(copies),
+      wet_(draws_water(view.look, first)),
       visibility_program_("world/world.vert.glsl", "world/world_visibility.frag.glsl", {"offset"}),
       upsample_program_("common/screen.vert.glsl", "world/world_upsample.frag.glsl"),
-      sample_programs_(shading_constants(fixed, view, ShadingPass::samples, least_slip_slope)),
+      sample_programs_(shading_constants(fixed, view, ShadingPass::samples, least_slip_slope),
+                       wet_),
       packed_programs_(
-          shading_constants(fixed, view, ShadingPass::packed_samples, least_slip_slope)),
+          shading_constants(fixed, view, ShadingPass::packed_samples, least_slip_slope), wet_),
       surface_(first.bed.nx() * refinement, first.bed.ny() * refinement, surface_layout),
       relief_(relief_texels, relief_texels, detail_layout),
       wander_(wander_texels, wander_texels, wander_layout),
@@ -85,12 +102,12 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
         copy_program_.emplace("common/screen.vert.glsl", "world/world_visibility_copy.frag.glsl",
                               std::initializer_list<const char*>{}, fixed);
         const auto near = [&](ShadingPass pass) {
-            return gl::Program("common/screen.vert.glsl", "world/world_near.frag.glsl", {},
-                               shading_constants(fixed, view, pass, least_slip_slope));
+            return near_program(shading_constants(fixed, view, pass, least_slip_slope), wet_);
         };
         pixel_programs_.emplace(PixelPrograms{
             near(ShadingPass::smooth_pixels), near(ShadingPass::slid_pixels),
-            GroundPrograms(shading_constants(fixed, view, ShadingPass::pixels, least_slip_slope))});
+            GroundPrograms(shading_constants(fixed, view, ShadingPass::pixels, least_slip_slope),
+                           wet_)});
     }
     build();
     draw_relief();

@@ -123,7 +123,7 @@ class WorldLayer {
 
     /// What shades near and far ground.
     struct GroundPrograms {
-        explicit GroundPrograms(const gl::Constants& fixed);
+        GroundPrograms(const gl::Constants& fixed, bool wet);
 
         gl::Program near;
         gl::Program far;
@@ -134,6 +134,8 @@ class WorldLayer {
         GroundPrograms others;
     };
 
+    [[nodiscard]] static gl::Program near_program(gl::Constants fixed, bool wet);
+    [[nodiscard]] static gl::Program far_program(gl::Constants fixed, bool wet);
     void build();
     void draw_relief();
     void draw_wander();
@@ -159,6 +161,7 @@ class WorldLayer {
     double ripple_wavelength_;  ///< block lengths
     DrawnOrigin origin_;
     TileWarp copies_;
+    bool wet_;  ///< whether the bed's water is drawn
     std::shared_ptr<const HeightPyramid> heights_;
     AvalancheCells slid_;
     std::int64_t step_ = 0;

@@ -1,5 +1,6 @@
 // The colours of endless ground: of whole pixels, and of samples.
 
+#include <array>
 #include <cmath>
 
 #include "gl/functions.h"
@@ -16,6 +17,8 @@ constexpr int detail_unit = 7;
 constexpr int wander_unit = 11;
 constexpr int listed_unit = 12;
 constexpr int slip_unit = 13;
+// Ground under water has neither ripples nor tongues: these take the place of their maps.
+constexpr std::array<int, 5> water_units{detail_unit, detail_unit + 2, 6, wander_unit, slip_unit};
 constexpr double ripples_per_wander_feature = 7.0;
 constexpr double steepest_ripple_slope = 0.2;
 constexpr double steps_per_ripple_wavelength = 50.0;  // that it takes to move on by its length
@@ -77,6 +80,7 @@ void WorldLayer::bind(const gl::Program& program, const gl::Texture2D* visibilit
         streamers_->bind(program);
         program.set("first_of_tile", glm::vec2(first_of_tile_));
     }
+    if (wet_) shading.bind_water(program, water_units, camera);
     set_eye(program, camera);
     set_detail(program, camera);
 }

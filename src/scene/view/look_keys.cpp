@@ -62,7 +62,9 @@ void list_surroundings_keys(LookSettings& look, KeyTable& table) {
          {Ground::table, "table", "the bed is a block on a pale table"},
          {Ground::endless, "endless",
           "the ground goes on to the horizon, with wind ripples below the grid: a periodic bed "
-          "repeats, and where a bed ends it runs out into a plain with relief of its own kind"}},
+          "repeats, and where a bed ends it runs out into invented land: a plain with relief of "
+          "its own kind or, around terrain and water, land that is drained, whose streams lead on "
+          "from its own"}},
         {.help = "what lies around the bed", .earlier = {"0.2.0", "\"table\""}});
     table.choice("look.far_copies", look.far_copies,
                  {{FarGround::varied, "varied",

@@ -43,6 +43,11 @@ TEST(GroundChoice, IsWhatASceneAsksFor) {
     Snapshot land = periodic_bed();
     land.periodic = false;
     EXPECT_EQ(chosen(view, land), Ground::endless) << "in a plain";
+    Snapshot wet = periodic_bed();
+    for (const char* name : {"water_depth", "velocity_x", "velocity_y"})
+        wet.fields.push_back({name, "", "", Grid(8, 6)});
+    EXPECT_EQ(chosen(view, wet), Ground::endless);
+    EXPECT_EQ(chosen({}, wet), Ground::table) << "water is drawn on a block if nobody asks";
     Snapshot profile = periodic_bed();
     profile.bed = Grid(8, 1, 1.0);
     EXPECT_THROW(chosen(view, profile), InputError);

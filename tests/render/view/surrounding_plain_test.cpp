@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "base/worker_pool.h"
+#include "render/land/drained_land.h"
 #include "support/view_beds.h"
 
 namespace fumon {
@@ -106,6 +108,115 @@ TEST(SurroundingPlain, CoversCellsOutsideTheBed) {
 TEST(SurroundingPlain, IsTheSameForAnyNumberOfThreads) {
     const Snapshot bed = masked_bed(bed_nx, bed_ny);
     EXPECT_EQ(Maps(bed, 1).maps.bed, Maps(bed, 3).maps.bed);
+}
+
+/// A valley that descends southward between ridges, with a step of relief across.
+Snapshot valley() {
+    Snapshot land;
+    land.landform = Landform::terrain;
+    land.bed = Grid(bed_nx, bed_ny);
+    land.scale.dx = land.scale.dy = 10.0;
+    land.scale.in_metres = true;
+    for (int y = 0; y < bed_ny; ++y)
+        for (int x = 0; x < bed_nx; ++x)
+            land.bed(x, y) = 1.5 * y + 3.0 * std::abs(x - 30.0 - 4.0 * std::sin(0.3 * y)) +
+                             5.0 * std::sin(0.5 * x) * std::sin(0.4 * y + 0.2 * x);
+    return land;
+}
+
+bool is_bed(const Maps& in, int x, int y) {
+    return x >= in.west && x < in.west + bed_nx && y >= in.south && y < in.south + bed_ny;
+}
+
+TEST(SurroundingLand, HasNoClosedHollows) {
+    const Maps in(valley());
+    ASSERT_TRUE(in.plain.is_drained());
+    int hollows = 0;
+    for (int y = 1; y + 1 < in.ny; ++y) {
+        for (int x = 1; x + 1 < in.nx; ++x) {
+            if (is_bed(in, x, y) || x < 8 || y < 8 || x >= in.nx - 8 || y >= in.ny - 8) continue;
+            bool lower = false;
+            for (int v = y - 1; v <= y + 1; ++v)
+                for (int u = x - 1; u <= x + 1; ++u) lower |= in.maps.bed(u, v) < in.maps.bed(x, y);
+            if (!lower) ++hollows;
+        }
+    }
+    EXPECT_EQ(hollows, 0);
+}
+
+TEST(SurroundingLand, MeetsTheEdgeInHeightAndSlope) {
+    const Snapshot bed = valley();
+    const Maps in(bed);
+    std::vector<double> across;  // what slopes change by from cell to cell at the edge
+    const auto bend = [&](int x, int y, int east, int north) {
+        const Grid& z = in.maps.bed;
+        return std::abs(z(x + east, y + north) - 2.0 * z(x, y) + z(x - east, y - north)) / 10.0;
+    };
+    for (int y = in.south + 1; y + 1 < in.south + bed_ny; ++y) {
+        across.push_back(bend(in.west, y, 1, 0));
+        across.push_back(bend(in.west + bed_nx - 1, y, 1, 0));
+    }
+    for (int x = in.west + 1; x + 1 < in.west + bed_nx; ++x) {
+        across.push_back(bend(x, in.south, 0, 1));
+        across.push_back(bend(x, in.south + bed_ny - 1, 0, 1));
+    }
+    const auto median = [](std::vector<double> values) {
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        return *middle;
+    };
+    // Sides of a valley that rise to the edge come down beyond it: as a ridge does, whose crest
+    // bends by twice the slope of its sides.
+    EXPECT_LE(median(across), 2.0 * 0.5 * mean_gradient(bed.bed, {}, 10.0, 10.0));
+    const double step = largest_step(bed.bed, 0, bed_nx - 1, 0, bed_ny);
+    const int east = in.west + bed_nx;
+    const int north = in.south + bed_ny;
+    EXPECT_LT(largest_step(in.maps.bed, in.west - 1, in.west, in.south, north), 1.5 * step);
+    EXPECT_LT(largest_step(in.maps.bed, east - 1, east, in.south, north), 1.5 * step);
+}
+
+TEST(SurroundingLand, IsAsSteepAsTheBedAndTheSameForAnyNumberOfThreads) {
+    const Snapshot bed = valley();
+    const Maps in(bed, 1);
+    Grid far(in.nx, in.ny);
+    for (int y = 0; y < in.ny; ++y)
+        for (int x = 0; x < in.nx; ++x) far(x, y) = in.maps.bed(in.nx + x, y);
+    const double own = mean_gradient(bed.bed, {}, 10.0, 10.0);
+    EXPECT_NEAR(mean_gradient(far, {}, 10.0, 10.0), own, 0.25 * own);
+    EXPECT_EQ(in.maps.bed, Maps(bed, 2).maps.bed);
+}
+
+TEST(SurroundingLand, StaysInAFilmOfABedThatChanges) {
+    const Snapshot first = valley();
+    const Maps in(first);
+    Snapshot later = first;
+    later.bed(30, 20) -= 2.0;  // amid: nothing changes at the edge
+    const Grid changed = in.plain.around(later).bed;
+    for (int y = 0; y < in.ny; ++y)
+        for (int x = 0; x < in.nx; ++x)
+            if (!is_bed(in, x, y)) {
+                ASSERT_NEAR(changed(x, y), in.maps.bed(x, y), 0.1);
+            }
+}
+
+TEST(SurroundingLand, LetsTheStreamRunOnAndOtherWaterEnd) {
+    Snapshot bed = valley();
+    bed.landform = Landform::water;
+    Grid depth(bed_nx, bed_ny, 0.002);
+    for (int y = 0; y < bed_ny; ++y) depth(30, y) = 0.5;
+    bed.fields = {{"water_depth", "", "m", depth},
+                  {"velocity_x", "", "m/s", Grid(bed_nx, bed_ny)},
+                  {"velocity_y", "", "m/s", Grid(bed_nx, bed_ny, -1.0)}};
+    const Maps in(bed);
+    const Grid& water = in.maps.fields.front().values;
+    EXPECT_EQ(water(in.west + 30, in.south + 5), 0.5);
+    int streams = 0;
+    for (int x = 0; x < in.nx; ++x)
+        if (water(x, in.south - 8) == 0.5) ++streams;
+    EXPECT_GE(streams, 1);
+    EXPECT_LE(streams, 3) << "of one cell, that may turn aside";
+    EXPECT_EQ(water(in.west - 8, in.south + 20), 0.0);
+    for (int y = 0; y < in.ny; ++y) ASSERT_EQ(water(in.nx + 5, y), 0.0);
 }
 
 TEST(GroundTiles, TellsTheBedsTileFromThePlains) {

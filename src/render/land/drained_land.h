@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+
+#include "base/grid.h"
+#include "render/land/land_relief.h"
+
+namespace fumon {
+
+/// What cells of a surface are to water that is led over it.
+enum class LandCell : std::uint8_t {
+    free,    ///< its height is chosen
+    known,   ///< its height stays, and water runs over it
+    wall,    ///< the same, and no valley is carved towards it
+    outlet,  ///< its height stays, and water leaves there
+};
+
+/// Changes the free cells of a surface so that water runs from each of them, and from where known
+/// ones and walls spill, down to an outlet: below those it carves, along the way by which a flood
+/// would come (priority flood: Barnes, Lehman & Mulla 2014), and elsewhere it fills. Every free
+/// cell then has a lower neighbour. Outlets lie lower than all others that stay, by more than all
+/// falls along a way. `least_fall`: from a cell to the next.
+void drain(Grid& heights, const Field<LandCell>& cells, double dx, double dy, double least_fall);
+
+/// The same for land that leads from heights that stay to others. Free land falls from these no
+/// more steeply than `steepest`, and beside valleys that are carved no more steeply than that, or
+/// than it did, so that they are as wide as valleys are.
+void drain_between(Grid& heights, const Field<LandCell>& cells, double dx, double dy,
+                   double least_fall, double steepest);
+
+/// A periodic tile of land that is drained and as steep as other land is.
+struct DrainedTile {
+    Grid heights;  ///< over the rivers, which lie level at 0
+    Mask rivers;   ///< 1: of one that winds along the tile's edges
+};
+
+/// Ridges and valleys that `relief`, a periodic field of any height, begins with: water is routed
+/// over it, first on coarse cells, and each place is set as high over the rivers as slopes along
+/// the cheapest way to them add up to, each as steep as `slopes` has it for the area that drains
+/// there: the steady state of rivers under uplift (Whipple & Tucker 1999). The mean gradient
+/// becomes `gradient`. Rivers wander up to `wander` cells aside of the edges.
+DrainedTile drained_tile(const Grid& relief, const SlopeByArea& slopes, const LandRelief& wanted,
+                         double dx, double dy, double wander);
+
+}  // namespace fumon

@@ -1,0 +1,215 @@
+// Drained land around a surveyed bed, and the water that runs out into it.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "base/snapshot_lookup.h"
+#include "measure/network/flow_routing.h"
+#include "numerics/smooth_step.h"
+#include "numerics/tension_surface.h"
+#include "render/land/drained_land.h"
+#include "render/view/surrounding_plain.h"
+#include "render/view/water.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr double wander_share = 0.1;       // of the margin: how far aside rivers wander
+constexpr double low_share = 0.25;         // of the frame's cells, below the bed's lowest edge
+constexpr double least_fall_share = 1e-3;  // of the mean gradient, from a cell to the next
+constexpr double steepest_share = 1.5;     // of hillslopes: beside valleys that lead out
+constexpr int coarse_cell = 8;             // cells: over which slopes at the bed's edge are led on
+constexpr double begins_within = 10.0;     // cells from the bed
+constexpr double ends_within = 4.0;        // cells: water that no valley takes
+constexpr double least_stream = 3.0;       // of closed_depth: water that a valley takes
+
+}  // namespace
+
+void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
+    const double dx = first.scale.dx;
+    const double dy = first.scale.dy;
+    const LandRelief relief = relief_of(first.bed, first.nodata, dx, dy);
+    const double gradient = relief.gradient;
+    if (!(gradient > 0.0)) return;
+    const SlopeByArea slopes(first.bed, first.nodata, dx, dy);
+    const int margin = std::min(west_, south_);
+    DrainedTile tile = drained_tile(relief_, slopes, relief, dx, dy, wander_share * margin);
+    const Mask between = between_bed_and_plain(outside);
+    const Grid heights = in_tile(first.bed);
+    const Field<float> depth = distances_to(outside);
+
+    double lowest = 1e300;
+    std::vector<double> frame;
+    for (std::size_t i = 0; i < outside.size(); ++i) {
+        if (outside.values()[i] == 0) {
+            if (depth.values()[i] <= 1.5F) lowest = std::min(lowest, heights.values()[i]);
+        } else if (between.values()[i] == 0) {
+            frame.push_back(tile.heights.values()[i]);
+        }
+    }
+    if (frame.empty() || lowest > 1e299) return;
+    const auto low =
+        frame.begin() + static_cast<std::ptrdiff_t>(low_share * static_cast<double>(frame.size()));
+    std::nth_element(frame.begin(), low, frame.end());
+    const double outlet = *low;
+    const double least_fall = least_fall_share * gradient * std::min(dx, dy);
+    level_ = lowest - outlet - 4.0 * least_fall * (nx_ + ny_);
+    relief_ = std::move(tile.heights);
+
+    // Beside the bed its own relief goes on; ridges and valleys that others begin with come later.
+    Grid under = broad(relief_);
+    Mask inside(nx_, ny_);
+    for (std::size_t i = 0; i < inside.size(); ++i)
+        inside.values()[i] = outside.values()[i] == 0 ? 1 : 0;
+    const Field<float> away = distances_to(inside);
+    for (std::size_t i = 0; i < under.size(); ++i) {
+        const auto far = static_cast<double>(away.values()[i]);
+        under.values()[i] =
+            std::lerp(under.values()[i], relief_.values()[i], smooth_step(1.0, begins_within, far));
+    }
+    Field<LandCell> cells(nx_, ny_, LandCell::free);
+    Grid missing(nx_, ny_);
+    for (std::size_t i = 0; i < outside.size(); ++i) {
+        if (outside.values()[i] == 0) {
+            cells.values()[i] = LandCell::known;
+            missing.values()[i] = heights.values()[i] - level_ - under.values()[i];
+        } else if (between.values()[i] == 0) {
+            cells.values()[i] = relief_.values()[i] <= outlet ? LandCell::outlet : LandCell::wall;
+        }
+    }
+    lead_over(missing, outside, between);
+    own_ = Grid(nx_, ny_);
+    for (std::size_t i = 0; i < own_.size(); ++i)
+        own_.values()[i] = outside.values()[i] == 0
+                               ? heights.values()[i]
+                               : level_ + under.values()[i] + missing.values()[i];
+    drain_between(own_, cells, dx, dy, least_fall, steepest_share * slopes.hillslope());
+    Mask leaves(nx_, ny_);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        leaves.values()[i] = cells.values()[i] == LandCell::outlet ? 1 : 0;
+    downstream_ = route_flow(own_, leaves, dx, dy).receiver;
+}
+
+void SurroundingPlain::lead_over(Grid& tile, const Mask& outside, const Mask& between) const {
+    const int nx = std::max(nx_ / coarse_cell, 4);
+    const int ny = std::max(ny_ / coarse_cell, 4);
+    struct Means {
+        double sum = 0.0;
+        int known = 0;
+        int between = 0;
+    };
+    std::vector<Means> means(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny));
+    for (int y = 0; y < ny_; ++y) {
+        for (int x = 0; x < nx_; ++x) {
+            const auto at = static_cast<std::size_t>(y * ny / ny_) * static_cast<std::size_t>(nx) +
+                            static_cast<std::size_t>(x * nx / nx_);
+            if (between(x, y) != 0) {
+                ++means[at].between;
+            } else {
+                ++means[at].known;
+                means[at].sum += outside(x, y) == 0 ? tile(x, y) : 0.0;
+            }
+        }
+    }
+    Grid coarse(nx, ny);
+    Mask unknown(nx, ny);
+    for (std::size_t i = 0; i < means.size(); ++i) {
+        unknown.values()[i] = means[i].between > means[i].known ? 1 : 0;
+        if (means[i].known > 0) coarse.values()[i] = means[i].sum / means[i].known;
+    }
+    fill_in_tension(coarse, unknown);
+    Grid led(nx_, ny_);
+    for (int y = 0; y < ny_; ++y) {
+        const double v = (y + 0.5) * ny / ny_ - 0.5 + ny;
+        const int low = static_cast<int>(v);
+        for (int x = 0; x < nx_; ++x) {
+            const double u = (x + 0.5) * nx / nx_ - 0.5 + nx;
+            const int left = static_cast<int>(u);
+            const auto row = [&](int at) {
+                return std::lerp(coarse(left % nx, at % ny), coarse((left + 1) % nx, at % ny),
+                                 u - left);
+            };
+            led(x, y) = std::lerp(row(low), row(low + 1), v - low);
+        }
+    }
+    led = broad(led);
+    for (std::size_t i = 0; i < tile.size(); ++i) tile.values()[i] -= led.values()[i];
+    fill_in_tension(tile, between);
+    for (std::size_t i = 0; i < tile.size(); ++i) tile.values()[i] += led.values()[i];
+}
+
+/// Water that has a depth runs on from the edge as deep as it is there, along the way down; the
+/// rest ends within a few cells.
+void SurroundingPlain::add_water(const Snapshot& snapshot, Snapshot& maps) const {
+    const Mask outside = outside_of(snapshot.nodata);
+    Mask inside(nx_, ny_);
+    for (std::size_t i = 0; i < inside.size(); ++i)
+        inside.values()[i] = outside.values()[i] == 0 ? 1 : 0;
+    const Field<float> away = distances_to(inside);
+    const Grid depth = in_tile(*field_of(snapshot.fields, "water_depth"));
+    const Grid along_x = in_tile(*field_of(snapshot.fields, "velocity_x"));
+    const Grid along_y = in_tile(*field_of(snapshot.fields, "velocity_y"));
+    Grid stream(nx_, ny_);
+    Grid speed(nx_, ny_);
+    const double least = least_stream * closed_depth(snapshot.scale);
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        if (inside.values()[i] == 0 || depth.values()[i] < least) continue;
+        const double fast = std::hypot(along_x.values()[i], along_y.values()[i]);
+        for (std::int32_t cell = downstream_.values()[i]; cell != FlowRouting::outlet;
+             cell = downstream_.values()[static_cast<std::size_t>(cell)]) {
+            const auto at = static_cast<std::size_t>(cell);
+            if (depth.values()[at] >= least || stream.values()[at] >= depth.values()[i]) break;
+            if (inside.values()[at] != 0) continue;
+            stream.values()[at] = depth.values()[i];
+            speed.values()[at] = fast;
+        }
+    }
+    const auto set = [&](const char* name, const auto& value) {
+        for (SnapshotField& field : maps.fields) {
+            if (field.name != name) continue;
+            for (int y = 0; y < ny_; ++y) {
+                for (int x = 0; x < nx_; ++x) {
+                    field.values(nx_ + x, y) = 0.0;
+                    if (inside(x, y) == 0) field.values(x, y) = value(x, y, field.values(x, y));
+                }
+            }
+        }
+    };
+    const auto share = [&](int x, int y) {
+        return smooth_step(-ends_within, -0.5, -static_cast<double>(away(x, y)));
+    };
+    set("water_depth", [&](int x, int y, double continued) {
+        return std::max(stream(x, y), share(x, y) * std::max(continued, 0.0));
+    });
+    const auto way = [&](int x, int y, bool east) {
+        const std::int32_t next = downstream_(x, y);
+        if (next == FlowRouting::outlet) return 0.0;
+        const double u = next % nx_ - x;
+        const double v = next / nx_ - y;
+        return (east ? u : v) / std::hypot(u, v);
+    };
+    set("velocity_x", [&](int x, int y, double continued) {
+        return stream(x, y) > 0.0 ? speed(x, y) * way(x, y, true) : continued;
+    });
+    set("velocity_y", [&](int x, int y, double continued) {
+        return stream(x, y) > 0.0 ? speed(x, y) * way(x, y, false) : continued;
+    });
+}
+
+std::function<Grid(double from, double until)> SurroundingPlain::rain_over_tile(
+    const Snapshot& snapshot) const {
+    if (!snapshot.rain) return {};
+    return [this, rain = snapshot.rain, nodata = snapshot.nodata](double from, double until) {
+        const Grid fallen = rain(from, until);
+        if (fallen.size() == 1) return fallen;
+        const Grid maps = continued(fallen, nodata);
+        Grid tile(nx_, ny_);
+        for (int y = 0; y < ny_; ++y) std::copy_n(maps.row(y).begin(), nx_, tile.row(y).begin());
+        return tile;
+    };
+}
+
+}  // namespace fumon
