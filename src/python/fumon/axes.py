@@ -40,12 +40,12 @@ class FigureAxes:
         x, y: in the coordinates of ``extent``. z: height, metres (model heights in a model of sites); None: that of
         the cell. Of any shapes that broadcast. What lies behind the camera is NaN. A map shows places where they are.
         """
-        east, north = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
+        east, north = np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64)
         if self._shown["is_map"]:
             return np.array(east), np.array(north)
         left, right, low, high = self.extent
         across, along = (east - left) / (right - left), (north - low) / (high - low)
-        height = self._ground(across, along) if z is None else np.asarray(z, dtype=float)
+        height = self._ground(across, along) if z is None else np.asarray(z, dtype=np.float64)
         shown = self._shown
         points = np.stack(np.broadcast_arrays(
             across * shown["extent"][0] / shown["side"] - 0.5 * shown["width"][0],
@@ -59,7 +59,7 @@ class FigureAxes:
         width, tall = shown["pixels"]
         return 0.5 * (1 + seen[..., 0]) * width, 0.5 * (1 - seen[..., 1]) * tall
 
-    def _ground(self, across: Numbers, along: Numbers) -> Numbers:
+    def _ground(self, across: npt.NDArray[np.floating[Any]], along: npt.NDArray[np.floating[Any]]) -> Numbers:
         ny, nx = self._heights.shape
         column = np.clip((across * nx).astype(int), 0, nx - 1)
         row = np.clip((along * ny).astype(int), 0, ny - 1)

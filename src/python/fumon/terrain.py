@@ -165,7 +165,7 @@ def _checked_size(cell_size: CellSize) -> tuple[float, float] | None:
 
 
 def _bed_of_array(data: Any, size: tuple[float, float] | None, flipped: bool) -> Bed:
-    masked = data.mask if isinstance(data, np.ma.MaskedArray) else np.ma.nomask
+    masked = np.broadcast_to(data.mask, data.shape) if isinstance(data, np.ma.MaskedArray) else None
     values = data.data if isinstance(data, np.ma.MaskedArray) else np.asarray(data)
     if values.dtype.kind not in "iuf":
         raise TypeError(f"heights are real numbers, not {values.dtype}")
@@ -178,7 +178,7 @@ def _bed_of_array(data: Any, size: tuple[float, float] | None, flipped: bool) ->
         values = values[::-1]
     heights = np.array(values, dtype=np.float64, order="C")
     nodata = np.isnan(heights)
-    if masked is not np.ma.nomask:
+    if masked is not None:
         nodata |= masked[::-1] if flipped else masked
     if np.any(np.isinf(heights[~nodata])):
         y, x = np.argwhere(np.isinf(heights) & ~nodata)[0]
