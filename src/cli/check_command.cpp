@@ -110,7 +110,7 @@ Fine checked(const std::string& file, const CheckOptions& options, FigureRuns& r
     if (!given) {
         if (auto film = checked_film(file, settings, options.runs)) return *std::move(film);
         if (!options.runs.empty())
-            throw InputError(fmt::format("{}: is no film, and --run is for films", file));
+            throw InputError(fmt::format("{}: is not a film; --run is for films", file));
     }
     const PreparedRun prepared =
         prepare_run(given ? given_scene(settings) : read_scene(file, settings), 1);

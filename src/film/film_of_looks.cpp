@@ -43,8 +43,8 @@ Image FilmOfLooks::paint(std::int64_t frame) {
     for (std::size_t look = 0; look < painters_.size(); ++look)
         if (look != first && look != second) painters_[look]->close();
     if (first == second) return painters_[first]->paint(frame);
-    Image image = mixed(painters_[first]->part_of_frame(shown.front()),
-                        painters_[second]->part_of_frame(shown.back()), shown.back().weight);
+    Image image = mixed(painters_[first]->untitled(shown.front()),
+                        painters_[second]->untitled(shown.back()), shown.back().weight);
     painters_[first]->write_titles(image, frame);
     return image;
 }

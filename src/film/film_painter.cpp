@@ -414,7 +414,7 @@ Image FilmPainter::paint(std::int64_t frame) {
     return image;
 }
 
-Image FilmPainter::part_of_frame(const FramePart& shown) {
+Image FilmPainter::untitled(const FramePart& shown) {
     open();
     Image image = ground(shown);
     write_over(image, shown);

@@ -52,7 +52,7 @@ class FilmPainter : public FilmFrames {
     void close() override;
 
     /// A part of a frame with its overlays, without captions and cards over it.
-    Image part_of_frame(const FramePart& shown);
+    Image untitled(const FramePart& shown);
     /// Writes the captions and cards of a frame over its parts.
     void write_titles(Image& image, std::int64_t frame);
 

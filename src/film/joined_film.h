@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "base/worker_pool.h"
+#include "film/beds/film_runs.h"
 #include "film/film_frames.h"
+#include "film/script/film.h"
+#include "film/script/film_sizes.h"
 #include "film/timeline.h"
 #include "film/titles.h"
 #include "gl/context.h"

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary_power.h"
+
 namespace fumon {
 
 namespace {
@@ -24,8 +26,8 @@ int h264_kilobits(const MovieSize& size, int quality) {
     constexpr double usual_quality = 18.0;
     constexpr double halving = 6.0;
     const double pixels = static_cast<double>(size.width) * size.height * size.rate;
-    const double kilobits = usual_kilobits * std::pow(pixels / usual_pixels, 0.75) *
-                            std::exp2((usual_quality - quality) / halving);
+    const double kilobits = usual_kilobits * elementary::pow(pixels / usual_pixels, 0.75) *
+                            elementary::pow(2.0, (usual_quality - quality) / halving);
     return static_cast<int>(std::lround(std::clamp(kilobits, least, most)));
 }
 

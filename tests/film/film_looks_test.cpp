@@ -31,7 +31,7 @@ TEST(FilmLooks, AreWrittenAsInAScene) {
         "f.toml", {"look.palette=vik", "shot.0.look.exposure=1"});
     ASSERT_EQ(film.looks.size(), 1U);
     EXPECT_EQ(film.looks[0].path, "look.palette");
-    EXPECT_EQ(film.looks[0].value, "vik");
+    EXPECT_EQ(film.looks[0].value, "\"vik\"");
     ASSERT_EQ(film.shots[0].looks.size(), 2U);
     EXPECT_EQ(film.shots[0].looks[0].path, "look.exposure");
     ASSERT_EQ(film.shots[1].looks.size(), 4U);

@@ -207,11 +207,13 @@ TEST(Drape, LiesUnderShallowWater) {
 /// OpenGL 3.3 grants a fragment shader 16 textures. Programs are asked by the names of samplers.
 TEST(Drape, UnderWaterNoProgramHasMoreTexturesThanOpenGlGrants) {
     constexpr std::array samplers{
-        "lighting_map", "value_map",  "palette",      "mark_map",    "uncoloured_map",
-        "noise_map",    "ground_map", "water_map",    "surface_map", "streak_map",
-        "rill_map",     "ring_map",   "sky_map",      "drape_map",   "visibility",
-        "grain",        "positions",  "shaded",       "kinds",       "height_map",
-        "cloud_map",    "floor_map",  "streamer_map", "offsets",     "finer"};
+        "lighting_map",   "value_map",        "palette",      "mark_map",
+        "uncoloured_map", "noise_map",        "ground_map",   "water_map",
+        "surface_map",    "streak_map",       "rill_map",     "ring_map",
+        "sky_map",        "drape_map",        "visibility",   "grain",
+        "positions",      "shaded",           "kinds",        "height_map",
+        "cloud_map",      "floor_map",        "streamer_map", "offsets",
+        "finer",          "water_surface_map"};
     View view = small_view(160, 90);
     view.drape = drape_of(8, 8, [](int, int) { return Colour{255, 0, 0, 255}; });
     const Snapshot bed = half_wet(0.3);

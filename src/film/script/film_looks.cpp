@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "keys/key_value.h"
 #include "keys/look_presets.h"
 #include "keys/setting.h"
 #include "models/registry.h"
@@ -63,33 +64,28 @@ std::string_view why_not(const std::string& path) {
     return {};
 }
 
-void assign_look(const KeyTable& table, const Override& setting) {
-    const Setting read = parse_setting(setting);
-    const Key* key = table.find(setting.path);
-    if (key == nullptr) refuse_unknown_key(setting.path, read.locate_key(), table, "");
-    if (const std::string_view reason = why_not(setting.path); !reason.empty())
-        throw InputError(fmt::format("{}: {} cannot be changed in a film: {}", read.locate_key(),
-                                     setting.path, reason));
-    assign(*key, read.value(), [&](const auto& region) { return read.locate(region); });
+const Key& look_key(const KeyTable& table, const std::string& path, const std::string& place) {
+    const Key* key = table.find(path);
+    if (key == nullptr) refuse_unknown_key(path, place, table, "");
+    if (const std::string_view reason = why_not(path); !reason.empty())
+        throw InputError(
+            fmt::format("{}: {} cannot be changed in a film: {}", place, path, reason));
+    return *key;
 }
 
-/// Throws InputError for a setting that no scene could have.
-void check_alone(const Override& setting) {
+/// A value as TOML. Throws InputError for one that no scene could have.
+std::string checked_value(const std::string& path, const toml::node& value,
+                          const std::string& place, const Locate& locate) {
     Scene scene = default_scene(std::string(terrain_model().name));
-    if (setting.path == "look.preset") {
-        const Setting read = parse_setting(setting);
-        apply_look_preset(scene_keys(scene), read.value().value_or(std::string()),
-                          read.locate(read.value().source()));
-        return;
+    size_lists(scene, {{path, "", place}});
+    const KeyTable table = scene_keys(scene);
+    if (path == "look.preset" && value.is_string()) {
+        const std::string name = value.value_or(std::string());
+        apply_look_preset(table, name, locate(value.source()));
     }
-    size_lists(scene, {setting});
-    assign_look(scene_keys(scene), setting);
-}
-
-std::string toml_of(const toml::node& value) {
-    std::ostringstream text;
-    value.visit([&](const auto& node) { text << node; });
-    return text.str();
+    const Key& key = look_key(table, path, place);
+    assign(key, value, locate);
+    return value_text(key);
 }
 
 /// A later setting of a key takes the place of an earlier one. They stand in the order of their
@@ -107,8 +103,8 @@ std::string sections_of(const std::vector<Override>& looks, const std::string& o
         const std::size_t dot = setting.path.rfind('.');
         const std::size_t first = setting.path.find('.');
         const std::size_t item = first == dot ? 0 : std::stoul(setting.path.substr(first + 1)) + 1;
-        sections[{section_of(setting.path), item}] += fmt::format(
-            "{} = {}\n", setting.path.substr(dot + 1), toml_of(parse_setting(setting).value()));
+        sections[{section_of(setting.path), item}] +=
+            fmt::format("{} = {}\n", setting.path.substr(dot + 1), setting.value);
     }
     std::string text;
     for (const auto& [place, keys] : sections) {
@@ -157,17 +153,16 @@ void read_looks(Film& film, const std::string& path, const toml::node& value,
         return;
     }
     faults.attempt([&] {
-        const std::string at = locate(value.source());
-        const std::size_t colon = at.rfind(':');
-        Override setting{look_path(path), toml_of(value), at.substr(0, colon),
-                         std::stoul(at.substr(colon + 1))};
-        if (setting.path.find('.') == std::string::npos)
+        const std::string key = look_path(path);
+        if (key.find('.') == std::string::npos)
             throw InputError(
                 fmt::format("{}: {} is a section; write its keys, such as those that "
                             "`fumon describe {}` lists",
-                            place, path, setting.path));
-        check_alone(setting);
-        put(looks_at(film, path), std::move(setting));
+                            place, path, key));
+        const std::string at = locate(value.source());
+        const std::size_t colon = at.rfind(':');
+        put(looks_at(film, path), {key, checked_value(key, value, place, locate),
+                                   at.substr(0, colon), std::stoul(at.substr(colon + 1))});
     });
 }
 
@@ -180,7 +175,9 @@ void set_look(Film& film, const Override& setting) {
     }
     Override own = setting;
     own.path = look_path(setting.path);
-    check_alone(own);
+    const Setting read = parse_setting(own);
+    own.value = checked_value(own.path, read.value(), read.locate_key(),
+                              [&](const auto& region) { return read.locate(region); });
     put(looks_at(film, setting.path), std::move(own));
 }
 
@@ -228,8 +225,9 @@ Scene with_looks(Scene scene, const std::vector<Override>& looks) {
     std::set<std::string> given;
     for (const Override& setting : looks) {
         if (setting.path == "look.preset") continue;
-        assign_look(table, setting);
         const Setting read = parse_setting(setting);
+        assign(look_key(table, setting.path, read.locate_key()), read.value(),
+               [&](const auto& region) { return read.locate(region); });
         scene.locations[setting.path] = read.locate(read.value().source());
         given.insert(setting.path);
     }

@@ -167,7 +167,7 @@ Kept keep_between(std::span<const double> values, double low, double high, doubl
     }
     for (; x < values.size(); ++x) {
         kept[result.count] = values[x];
-        result.count += static_cast<std::size_t>((values[x] >= low) & (values[x] <= high));
+        result.count += static_cast<std::size_t>(values[x] >= low && values[x] <= high);
         result.below += static_cast<std::size_t>(values[x] < low);
     }
     return result;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/elementary.h"
+#include "base/elementary_angle.h"
 #include "measure/network/flow_routing.h"
 
 namespace fumon {
@@ -39,7 +40,7 @@ Grid graded(const FlowRouting& routing, const SlopeByArea& slopes, const Grid& n
     const Grid area = drainage_area(routing);
     const int nx = area.nx();
     const int ny = area.ny();
-    const double across = std::hypot(routing.dx, routing.dy);
+    const double across = elementary::hypot(routing.dx, routing.dy);
     Grid slope(nx, ny);
     Grid heights(nx, ny);
     constexpr double not_reached = 1e300;
@@ -195,7 +196,7 @@ Grid lowest_beside(const Grid& heights, const Field<LandCell>& cells, double dx,
     Grid lowest = heights;
     for (std::size_t i = 0; i < cells.size(); ++i)
         if (cells.values()[i] == LandCell::free) lowest.values()[i] = below_all;
-    const double across = std::hypot(dx, dy);
+    const double across = elementary::hypot(dx, dy);
     const auto take = [&](int x, int y, int u, int v, double length) {
         if (u < 0 || v < 0 || u >= nx || v >= ny) return;
         lowest(x, y) = std::max(lowest(x, y), lowest(u, v) - steepest * length);
@@ -285,15 +286,15 @@ DrainedTile drained_tile(const Grid& relief, const SlopeByArea& slopes, const La
         return count * std::abs(share - std::floor(share + 0.5));
     };
     // Of a tile's cell, or of one beside the tile: its place within the winding edges.
-    struct Place {
+    struct EdgePosition {
         double u;
         double v;
     };
     const auto place_of = [&](int x, int y) {
-        return Place{x + 0.5 + wander * wandering((y + 0.5) / noise.ny(), 0.13),
-                     y + 0.5 + wander * wandering((x + 0.5) / noise.nx(), 0.61)};
+        return EdgePosition{x + 0.5 + wander * wandering((y + 0.5) / noise.ny(), 0.13),
+                            y + 0.5 + wander * wandering((x + 0.5) / noise.nx(), 0.61)};
     };
-    const auto is_river = [&](const Place& at) {
+    const auto is_river = [&](const EdgePosition& at) {
         return beside_edge(at.u, noise.nx()) < 1.0 || beside_edge(at.v, noise.ny()) < 1.0;
     };
     const int margin = static_cast<int>(std::ceil(wander)) + 2;
@@ -306,7 +307,7 @@ DrainedTile drained_tile(const Grid& relief, const SlopeByArea& slopes, const La
     const Grid shares = normalised(noise);
     for (int y = 0; y < wide.ny(); ++y) {
         for (int x = 0; x < wide.nx(); ++x) {
-            const Place at = place_of(x - margin, y - margin);
+            const EdgePosition at = place_of(x - margin, y - margin);
             if (at.u < 0.0 || at.v < 0.0 || at.u >= noise.nx() || at.v >= noise.ny() ||
                 is_river(at))
                 continue;
@@ -334,7 +335,7 @@ DrainedTile drained_tile(const Grid& relief, const SlopeByArea& slopes, const La
     DrainedTile tile{Grid(noise.nx(), noise.ny()), Mask(noise.nx(), noise.ny())};
     for (int y = 0; y < noise.ny(); ++y) {
         for (int x = 0; x < noise.nx(); ++x) {
-            const Place at = place_of(x, y);
+            const EdgePosition at = place_of(x, y);
             if (is_river(at)) {
                 tile.rivers(x, y) = 1;
                 continue;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/elementary_angle.h"
 #include "base/snapshot_lookup.h"
 #include "measure/network/flow_routing.h"
 #include "numerics/smooth_step.h"
@@ -157,7 +158,7 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, Snapshot& maps) const
     const double least = least_stream * closed_depth(snapshot.scale);
     for (std::size_t i = 0; i < inside.size(); ++i) {
         if (inside.values()[i] == 0 || depth.values()[i] < least) continue;
-        const double fast = std::hypot(along_x.values()[i], along_y.values()[i]);
+        const double fast = elementary::hypot(along_x.values()[i], along_y.values()[i]);
         for (std::int32_t cell = downstream_.values()[i]; cell != FlowRouting::outlet;
              cell = downstream_.values()[static_cast<std::size_t>(cell)]) {
             const auto at = static_cast<std::size_t>(cell);
@@ -189,7 +190,7 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, Snapshot& maps) const
         if (next == FlowRouting::outlet) return 0.0;
         const double u = next % nx_ - x;
         const double v = next / nx_ - y;
-        return (east ? u : v) / std::hypot(u, v);
+        return (east ? u : v) / elementary::hypot(u, v);
     };
     set("velocity_x", [&](int x, int y, double continued) {
         return stream(x, y) > 0.0 ? speed(x, y) * way(x, y, true) : continued;
