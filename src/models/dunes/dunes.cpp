@@ -249,8 +249,10 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
         return;
     }
     continuous_.emplace(parameters_, ground_, step_length(parameters_, ground_, 1.0), pool_);
-    if (parameters.speed_up == DuneSpeedUp::relief)
+    if (parameters.speed_up == DuneSpeedUp::relief) {
         shear_.emplace(ground_, parameters.shear_in_phase, parameters.shear_ahead, pool_);
+        relief_ = Grid(ground_.nx, ground_.ny);
+    }
     if (!parameters.windward_angle.is_word())
         bubbles_.emplace(ground_, tangent(parameters.windward_angle.value), pool_);
     if (parameters.wind_bend != DuneBend::none || parameters.slope_deflection > 0.0)
@@ -301,7 +303,11 @@ ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
                  shear_ ? WindShadow::Find::shade_and_envelope : WindShadow::Find::shade);
     ContinuousTransport::Wind over{wind, shadow_.shade()};
     if (shear_) {
-        relief_ = shadow_.envelope();
+        if (parameters_.wind_bend == DuneBend::shear) {
+            relief_ = shadow_.envelope();
+        } else {
+            shadow_.swap_envelope(relief_);
+        }
         if (bubbles_) bubbles_->find(bed_.surface, wind).fill(relief_);
         shear_->apply(relief_, wind);
         over.shear = &relief_;
