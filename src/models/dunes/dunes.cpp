@@ -334,7 +334,8 @@ void Dunes::bend(const BlowingWind& wind) const {
         if (bubbles_) bubbles_->fill(across_);
         shear_->apply_across(across_, wind, parameters_.shear_across);
     } else {
-        across_ = Grid(ground_.nx, ground_.ny);
+        if (across_.empty()) across_ = Grid(ground_.nx, ground_.ny);
+        std::ranges::fill(across_.values(), 0.0);
     }
     if (parameters_.slope_deflection > 0.0)
         turn_down_slopes(bed_.surface, ground_, wind, parameters_.slope_deflection, pool_, across_);

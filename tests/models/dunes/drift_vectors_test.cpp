@@ -151,7 +151,7 @@ TEST_P(DriftVectors, DepositsAsCellByCell) {
     for (const std::size_t count : odd_lengths) {
         const Wholes rock = wholes(count, -metre, metre);
         Wholes surface = surface_over(rock, metre);
-        const Wholes arrived = wholes(count, 0, metre);
+        const Wholes came = wholes(count, 0, metre);
         const Reals shade = reals(count, 0.0, 1.0);
         Wholes moving = wholes(count, 0, metre);
         Wholes landed = wholes(count, 0, metre);
@@ -163,16 +163,18 @@ TEST_P(DriftVectors, DepositsAsCellByCell) {
                 std::min(static_cast<double>(surface[x] - rock[x]) * share.per_full_cover, 1.0);
             const double all =
                 std::max(shade[x], share.on_rock + share.more_on_sand * cover) * share.landing;
-            const auto stays = static_cast<std::int64_t>(all * static_cast<double>(arrived[x]));
+            const auto stays = static_cast<std::int64_t>(all * static_cast<double>(came[x]));
             surface_expected[x] += stays;
-            moving_expected[x] = arrived[x] - stays;
-            landed_expected[x] += arrived[x];
+            moving_expected[x] = came[x] - stays;
+            landed_expected[x] += came[x];
         }
+        Wholes arrived = came;
         drift_vectors::deposit(count, share, shade.data(), rock.data(), arrived.data(),
                                surface.data(), moving.data(), landed.data());
         EXPECT_EQ(surface, surface_expected) << count << " cells";
         EXPECT_EQ(moving, moving_expected) << count << " cells";
         EXPECT_EQ(landed, landed_expected) << count << " cells";
+        EXPECT_EQ(arrived, Wholes(count)) << count << " cells";
     }
 }
 
