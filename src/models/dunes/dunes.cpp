@@ -298,10 +298,9 @@ void Dunes::note_slides() {
     slopes_.drain_slid_cells([&](int x, int y) { slid_at_(x, y) = steps_ + 1; });
 }
 
-ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
+void Dunes::find_wind(const BlowingWind& wind) const {
     shadow_.cast(bed_.surface, wind, shadow_tangents_,
                  shear_ ? WindShadow::Find::shade_and_envelope : WindShadow::Find::shade);
-    ContinuousTransport::Wind over{wind, shadow_.shade()};
     if (shear_) {
         if (parameters_.wind_bend == DuneBend::shear) {
             relief_ = shadow_.envelope();
@@ -310,14 +309,18 @@ ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
         }
         if (bubbles_) bubbles_->find(bed_.surface, wind).fill(relief_);
         shear_->apply(relief_, wind);
-        over.shear = &relief_;
     }
-    if (!bent_.x.empty()) {
-        bend(wind);
-        over.bent = &bent_;
-    }
+    if (!bent_.x.empty()) bend(wind);
+    if (walls_) walls_->find(bed_.surface, wind);
+    wind_found_at_ = steps_;
+}
+
+ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
+    if (wind_found_at_ != steps_) find_wind(wind);
+    ContinuousTransport::Wind over{wind, shadow_.shade()};
+    if (shear_) over.shear = &relief_;
+    if (!bent_.x.empty()) over.bent = &bent_;
     if (walls_) {
-        walls_->find(bed_.surface, wind);
         over.before_walls = &walls_->wind();
         if (parameters_.wall_drift > 0.0) over.along_walls = &walls_->aside();
     }
@@ -375,6 +378,7 @@ void Dunes::blow_continuously(const BlowingWind& wind) {
 }
 
 void Dunes::serialise(StateArchive& archive) {
+    wind_found_at_ = -1;
     archive.count("steps", steps_);
     archive.count("sand_inflow", bed_.inflow);
     archive.count("sand_outflow", bed_.outflow);
