@@ -10,8 +10,7 @@ namespace fumon {
 
 namespace {
 
-constexpr std::size_t rows = FourierTransform::rows;
-constexpr int together = static_cast<int>(rows);
+constexpr int together = static_cast<int>(FourierTransform::rows);
 
 /// Cells that eight rows turn into columns at once: they stay in the nearest cache.
 constexpr std::size_t stretch = 64;
@@ -69,6 +68,7 @@ PlaneFilter::PlaneFilter(int nx, int ny, WorkerPool& pool)
       imaginary_(real_.nx(), real_.ny()) {}
 
 void PlaneFilter::apply(Grid& plane, const Response& response) {
+    constexpr std::size_t rows = FourierTransform::rows;
     const auto plane_stride = static_cast<std::size_t>(nx_);
     const auto stride = static_cast<std::size_t>(real_.nx());
     pool_.for_ranges(columns_ / together, [&](int begin, int end) {
@@ -113,6 +113,7 @@ void PlaneFilter::apply(Grid& plane, const Response& response) {
 /// The modes n = first … first + 7: along x forward, the response, and back. A complex line a + ib
 /// has the spectrum P + iQ, where P and Q are those of a and b, and at −m conj P + i conj Q.
 void PlaneFilter::filter_block(int first, const Response& response, Block& block) {
+    constexpr std::size_t rows = FourierTransform::rows;
     const auto nx = static_cast<std::size_t>(nx_);
     const std::size_t count = nx / 2 + 1;
     for (std::size_t begin = 0; begin < nx; begin += stretch) {
