@@ -12,8 +12,17 @@ namespace {
 
 constexpr int together = static_cast<int>(FourierTransform::rows);
 
+/// Cells that eight rows turn into columns at once: they stay in the nearest cache.
+constexpr std::size_t stretch = 64;
+
 int rounded_up(int count) {
     return (count + together - 1) / together * together;
+}
+
+/// Rows of a length of whole memory pages would share a few places of the caches.
+int unlike_pages(int columns) {
+    constexpr int page = 512;
+    return columns % page == 0 ? columns + together : columns;
 }
 
 }  // namespace
@@ -54,26 +63,29 @@ PlaneFilter::PlaneFilter(int nx, int ny, WorkerPool& pool)
       pool_(pool),
       along_x_(static_cast<std::size_t>(nx)),
       along_y_(static_cast<std::size_t>(ny)),
-      padded_(columns_, ny),
-      real_(columns_, rounded_up(ny / 2 + 1)),
-      imaginary_(columns_, rounded_up(ny / 2 + 1)) {}
+      last_(columns_ > nx ? Grid(together, ny) : Grid()),
+      real_(unlike_pages(columns_), rounded_up(ny / 2 + 1)),
+      imaginary_(real_.nx(), real_.ny()) {}
 
 void PlaneFilter::apply(Grid& plane, const Response& response) {
-    const auto stride = static_cast<std::size_t>(columns_);
+    constexpr std::size_t rows = FourierTransform::rows;
+    const auto plane_stride = static_cast<std::size_t>(nx_);
+    const auto stride = static_cast<std::size_t>(real_.nx());
     pool_.for_ranges(columns_ / together, [&](int begin, int end) {
         auto scratch = along_y_.scratch();
         for (int block = begin; block < end; ++block) {
             throw_if_cancelled();
             const int from = block * together;
-            const int to = std::min(from + together, nx_);
-            for (int y = 0; y < ny_; ++y) {
-                std::copy_n(&plane(from, y), to - from, &padded_(from, y));
+            const bool whole = from + together <= nx_;
+            if (!whole) {
                 // Columns travel in pairs: what an earlier plane left beside the last one would
                 // grow from plane to plane.
-                std::fill_n(padded_.row(y).begin() + to, from + together - to, 0.0);
+                std::ranges::fill(last_.values(), 0.0);
+                for (int y = 0; y < ny_; ++y)
+                    std::copy_n(&plane(from, y), nx_ - from, &last_(0, y));
             }
-            along_y_.forward(&padded_(from, 0), stride, &real_(from, 0), &imaginary_(from, 0),
-                             stride, scratch);
+            along_y_.forward(whole ? &plane(from, 0) : last_.data(), whole ? plane_stride : rows,
+                             &real_(from, 0), &imaginary_(from, 0), stride, scratch);
         }
     });
     pool_.for_ranges(real_.ny() / together, [&](int begin, int end) {
@@ -88,11 +100,12 @@ void PlaneFilter::apply(Grid& plane, const Response& response) {
         for (int block = begin; block < end; ++block) {
             throw_if_cancelled();
             const int from = block * together;
-            const int to = std::min(from + together, nx_);
-            along_y_.backward(&real_(from, 0), &imaginary_(from, 0), stride, &padded_(from, 0),
-                              stride, scratch);
-            for (int y = 0; y < ny_; ++y)
-                std::copy_n(&padded_(from, y), to - from, &plane(from, y));
+            const bool whole = from + together <= nx_;
+            along_y_.backward(&real_(from, 0), &imaginary_(from, 0), stride,
+                              whole ? &plane(from, 0) : last_.data(), whole ? plane_stride : rows,
+                              scratch);
+            for (int y = 0; y < ny_ && !whole; ++y)
+                std::copy_n(&last_(0, y), nx_ - from, &plane(from, y));
         }
     });
 }
@@ -103,12 +116,15 @@ void PlaneFilter::filter_block(int first, const Response& response, Block& block
     constexpr std::size_t rows = FourierTransform::rows;
     const auto nx = static_cast<std::size_t>(nx_);
     const std::size_t count = nx / 2 + 1;
-    for (std::size_t l = 0; l < rows; ++l) {
-        const auto re = real_.row(first + static_cast<int>(l));
-        const auto im = imaginary_.row(first + static_cast<int>(l));
-        for (std::size_t x = 0; x < nx; ++x) {
-            block.line_real[x * rows + l] = re[x];
-            block.line_imaginary[x * rows + l] = im[x];
+    for (std::size_t begin = 0; begin < nx; begin += stretch) {
+        const std::size_t end = std::min(begin + stretch, nx);
+        for (std::size_t l = 0; l < rows; ++l) {
+            const auto re = real_.row(first + static_cast<int>(l));
+            const auto im = imaginary_.row(first + static_cast<int>(l));
+            for (std::size_t x = begin; x < end; ++x) {
+                block.line_real[x * rows + l] = re[x];
+                block.line_imaginary[x * rows + l] = im[x];
+            }
         }
     }
     along_x_.forward(block.line_real.data(), rows, block.p_real.data(), block.p_imaginary.data(),
@@ -159,15 +175,18 @@ void PlaneFilter::filter_block(int first, const Response& response, Block& block
                       rows, block.scratch);
     along_x_.backward(block.q_real.data(), block.q_imaginary.data(), rows,
                       block.line_imaginary.data(), rows, block.scratch);
-    for (std::size_t l = 0; l < rows; ++l) {
-        const int n = first + static_cast<int>(l);
-        const bool real_only = n == 0 || 2 * n == ny_;
-        if (n > ny_ / 2) break;
-        auto re = real_.row(n);
-        auto im = imaginary_.row(n);
-        for (std::size_t x = 0; x < nx; ++x) {
-            re[x] = block.line_real[x * rows + l];
-            im[x] = real_only ? 0.0 : block.line_imaginary[x * rows + l];
+    for (std::size_t begin = 0; begin < nx; begin += stretch) {
+        const std::size_t end = std::min(begin + stretch, nx);
+        for (std::size_t l = 0; l < rows; ++l) {
+            const int n = first + static_cast<int>(l);
+            const bool real_only = n == 0 || 2 * n == ny_;
+            if (n > ny_ / 2) break;
+            auto re = real_.row(n);
+            auto im = imaginary_.row(n);
+            for (std::size_t x = begin; x < end; ++x) {
+                re[x] = block.line_real[x * rows + l];
+                im[x] = real_only ? 0.0 : block.line_imaginary[x * rows + l];
+            }
         }
     }
 }

@@ -39,7 +39,7 @@ class PlaneFilter {
     WorkerPool& pool_;
     FourierTransform along_x_;
     FourierTransform along_y_;
-    Grid padded_;
+    Grid last_;  ///< the columns past the last whole block, with zeros beside them
     Grid real_;  ///< of the modes along y, row n, column x
     Grid imaginary_;
 };

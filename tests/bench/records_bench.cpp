@@ -1,6 +1,7 @@
 // What records of measurements cost: processor time a cell of one row, by landform; and runs with a
 // row every step beside the same runs with one at their end, as ratios of processor time and of
-// clock time.
+// clock time. And what steps of dunes cost: processor time a cell by the grid's size, and one
+// thread beside two.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "base/thread_clock.h"
 #include "files/scratch_folder.h"
 #include "measure/suite.h"
+#include "models/shared/model.h"
 #include "run/prepared_run.h"
 #include "run/recorder.h"
 #include "run/stepper.h"
@@ -87,11 +89,58 @@ void run(benchmark::State& state, const std::string& model, int steps) {
     state.counters["seconds_without"] = without.processor;
 }
 
+/// The fastest of its steps by processor time, on one thread.
+void step(benchmark::State& state, const std::string& model, int before) {
+    const PreparedRun run = prepared(model, state.range(0), 1, false, 1);
+    for (int step = 0; step < before; ++step) run.model->step();
+    double fastest = std::numeric_limits<double>::infinity();
+    for ([[maybe_unused]] auto _ : state) {
+        const double start = cpu_seconds_of_process();
+        run.model->step();
+        fastest = std::min(fastest, cpu_seconds_of_process() - start);
+    }
+    state.counters["seconds_a_cell"] =
+        fastest / static_cast<double>(state.range(0) * state.range(0));
+}
+
+/// One thread over two, of both the fastest steps, which they take by turns.
+void threads(benchmark::State& state, const std::string& model, int before) {
+    const PreparedRun one = prepared(model, state.range(0), 1, false, 1);
+    const PreparedRun two = prepared(model, state.range(0), 1, false, 2);
+    for (int step = 0; step < before; ++step) {
+        one.model->step();
+        two.model->step();
+    }
+    struct Least {
+        double processor = std::numeric_limits<double>::infinity();
+        double clock = std::numeric_limits<double>::infinity();
+
+        void step(Model& stepped) {
+            const double start = cpu_seconds_of_process();
+            const Stopwatch watch;
+            stepped.step();
+            processor = std::min(processor, cpu_seconds_of_process() - start);
+            clock = std::min(clock, watch.seconds());
+        }
+    } of_one, of_two;
+    for ([[maybe_unused]] auto _ : state) {
+        of_one.step(*one.model);
+        of_two.step(*two.model);
+    }
+    state.counters["ratio_of_processor"] = of_one.processor / of_two.processor;
+    state.counters["ratio_of_clock"] = of_one.clock / of_two.clock;
+}
+
 void sides(benchmark::internal::Benchmark* one) {
     one->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
 }
 void turns(benchmark::internal::Benchmark* one) {
     one->Unit(benchmark::kMillisecond)->Iterations(3)->UseRealTime();
+}
+
+void steps(benchmark::internal::Benchmark* one) {
+    for (std::int64_t side = 256; side <= 4096; side *= 2) one->Arg(side);
+    one->Unit(benchmark::kMillisecond)->Iterations(20);
 }
 
 BENCHMARK_CAPTURE(row, ripples, ripples, 100)->Apply(sides);
@@ -102,6 +151,11 @@ BENCHMARK_CAPTURE(run, ripples, ripples, 100)->Arg(512)->Apply(turns);
 BENCHMARK_CAPTURE(run, dunes, dunes, 20)->Arg(1024)->Apply(turns);
 BENCHMARK_CAPTURE(run, pile, pile, 100)->Arg(512)->Apply(turns);
 BENCHMARK_CAPTURE(run, gully, gully, 40)->Arg(512)->Apply(turns);
+BENCHMARK_CAPTURE(step, dunes, dunes, 5)->Apply(steps);
+BENCHMARK_CAPTURE(threads, dunes, dunes, 5)
+    ->Arg(1024)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(40);
 
 }  // namespace
 }  // namespace fumon

@@ -72,7 +72,7 @@ ContinuousTransport::ContinuousTransport(const DunesParameters& parameters,
       drift_x_(parameters.slope_drift * parameters.flux * time_step / (ground.dx * ground.dx)),
       drift_y_(parameters.slope_drift * parameters.flux * time_step / (ground.dy * ground.dy)),
       arrived_(ground.nx, ground.ny),
-      landed_(ground.nx, ground.ny),
+      landed_(parameters.rock_wear > 0.0 ? FixedPointGrid(ground.nx, ground.ny) : FixedPointGrid()),
       after_(ground.nx, ground.ny) {}
 
 void ContinuousTransport::step(DuneBed& bed, const Wind& wind) {
@@ -82,8 +82,7 @@ void ContinuousTransport::step(DuneBed& bed, const Wind& wind) {
         for (int y = begin; y < end; ++y) {
             throw_if_cancelled();
             lift(bed, wind, layer, y);
-            std::ranges::fill(arrived_.row(y), 0);
-            std::ranges::fill(landed_.row(y), 0);
+            if (!landed_.empty()) std::ranges::fill(landed_.row(y), 0);
         }
     });
     for (int move = 1; move <= hops_.moves; ++move) {
@@ -95,7 +94,6 @@ void ContinuousTransport::step(DuneBed& bed, const Wind& wind) {
                 throw_if_cancelled();
                 if (last) drift_down(bed, wind, y);
                 deposit(last ? after_ : bed.surface, bed, wind, y);
-                if (!last) std::ranges::fill(arrived_.row(y), 0);
             }
         });
     }
@@ -417,7 +415,7 @@ void ContinuousTransport::drift_down(const DuneBed& bed, const Wind& wind, int y
 void ContinuousTransport::deposit(FixedPointGrid& on, DuneBed& bed, const Wind& wind, int y) {
     constexpr double thickness = full_cover * units_per_metre;
     const auto surface = on.row(y);
-    const auto landed = landed_.row(y);
+    std::int64_t* landed = landed_.empty() ? nullptr : landed_.row(y).data();
     const auto rock = bed.rock.row(y);
     const auto moving = bed.moving.row(y);
     const auto arrived = arrived_.row(y);
@@ -427,7 +425,7 @@ void ContinuousTransport::deposit(FixedPointGrid& on, DuneBed& bed, const Wind& 
     if (wind.plants == nullptr && wind.before_walls == nullptr) {
         drift_vectors::deposit(
             surface.size(), {on_rock, more_on_sand, 1.0 / thickness, hops_.landing}, shaded.data(),
-            rock.data(), arrived.data(), surface.data(), moving.data(), landed.data());
+            rock.data(), arrived.data(), surface.data(), moving.data(), landed);
         return;
     }
     for (std::size_t x = 0; x < surface.size(); ++x) {
@@ -449,7 +447,8 @@ void ContinuousTransport::deposit(FixedPointGrid& on, DuneBed& bed, const Wind& 
         const auto stays = static_cast<std::int64_t>(share * static_cast<double>(arrived[x]));
         surface[x] += stays;
         moving[x] = arrived[x] - stays;
-        landed[x] += arrived[x];
+        if (landed != nullptr) landed[x] += arrived[x];
+        arrived[x] = 0;
     }
 }
 

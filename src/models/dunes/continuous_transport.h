@@ -68,7 +68,8 @@ class ContinuousTransport {
 
     void step(DuneBed& bed, const Wind& wind);
 
-    /// What came down in each cell in the last step, and the part of it that ended a hop there.
+    /// What came down in each cell in the last step, where rock is worn, and the part of it that
+    /// ended a hop there.
     [[nodiscard]] const FixedPointGrid& landed() const { return landed_; }
     [[nodiscard]] double ended() const { return hops_.ends; }
 

@@ -249,8 +249,10 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
         return;
     }
     continuous_.emplace(parameters_, ground_, step_length(parameters_, ground_, 1.0), pool_);
-    if (parameters.speed_up == DuneSpeedUp::relief)
+    if (parameters.speed_up == DuneSpeedUp::relief) {
         shear_.emplace(ground_, parameters.shear_in_phase, parameters.shear_ahead, pool_);
+        relief_ = Grid(ground_.nx, ground_.ny);
+    }
     if (!parameters.windward_angle.is_word())
         bubbles_.emplace(ground_, tangent(parameters.windward_angle.value), pool_);
     if (parameters.wind_bend != DuneBend::none || parameters.slope_deflection > 0.0)
@@ -296,22 +298,29 @@ void Dunes::note_slides() {
     slopes_.drain_slid_cells([&](int x, int y) { slid_at_(x, y) = steps_ + 1; });
 }
 
-ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
+void Dunes::find_wind(const BlowingWind& wind) const {
     shadow_.cast(bed_.surface, wind, shadow_tangents_,
                  shear_ ? WindShadow::Find::shade_and_envelope : WindShadow::Find::shade);
-    ContinuousTransport::Wind over{wind, shadow_.shade()};
     if (shear_) {
-        relief_ = shadow_.envelope();
+        if (parameters_.wind_bend == DuneBend::shear) {
+            relief_ = shadow_.envelope();
+        } else {
+            shadow_.swap_envelope(relief_);
+        }
         if (bubbles_) bubbles_->find(bed_.surface, wind).fill(relief_);
         shear_->apply(relief_, wind);
-        over.shear = &relief_;
     }
-    if (!bent_.x.empty()) {
-        bend(wind);
-        over.bent = &bent_;
-    }
+    if (!bent_.x.empty()) bend(wind);
+    if (walls_) walls_->find(bed_.surface, wind);
+    wind_found_at_ = steps_;
+}
+
+ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
+    if (wind_found_at_ != steps_) find_wind(wind);
+    ContinuousTransport::Wind over{wind, shadow_.shade()};
+    if (shear_) over.shear = &relief_;
+    if (!bent_.x.empty()) over.bent = &bent_;
     if (walls_) {
-        walls_->find(bed_.surface, wind);
         over.before_walls = &walls_->wind();
         if (parameters_.wall_drift > 0.0) over.along_walls = &walls_->aside();
     }
@@ -328,7 +337,8 @@ void Dunes::bend(const BlowingWind& wind) const {
         if (bubbles_) bubbles_->fill(across_);
         shear_->apply_across(across_, wind, parameters_.shear_across);
     } else {
-        across_ = Grid(ground_.nx, ground_.ny);
+        if (across_.empty()) across_ = Grid(ground_.nx, ground_.ny);
+        std::ranges::fill(across_.values(), 0.0);
     }
     if (parameters_.slope_deflection > 0.0)
         turn_down_slopes(bed_.surface, ground_, wind, parameters_.slope_deflection, pool_, across_);
@@ -368,6 +378,7 @@ void Dunes::blow_continuously(const BlowingWind& wind) {
 }
 
 void Dunes::serialise(StateArchive& archive) {
+    wind_found_at_ = -1;
     archive.count("steps", steps_);
     archive.count("sand_inflow", bed_.inflow);
     archive.count("sand_outflow", bed_.outflow);

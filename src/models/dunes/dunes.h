@@ -76,7 +76,8 @@ class Dunes : public Model {
 
   private:
     void blow_continuously(const BlowingWind& wind);
-    /// The wind over the bed as it is, of continuous transport.
+    void find_wind(const BlowingWind& wind) const;
+    /// The wind over the bed as it is, of continuous transport: found once a step.
     ContinuousTransport::Wind wind_over_bed(const BlowingWind& wind) const;
     void bend(const BlowingWind& wind) const;
     [[nodiscard]] Grid wind_turn() const;
@@ -113,8 +114,10 @@ class Dunes : public Model {
     std::int64_t passes_ = 0;  ///< of the last step's avalanches
     bool at_rest_ = true;      ///< whether they have ended
     FixedPointGrid sources_;   ///< least thickness of sand; empty where there are none
-    mutable Grid relief_;      ///< working memory of the shear stress
-    mutable Grid across_;      ///< likewise
+    mutable std::int64_t wind_found_at_ =
+        -1;                ///< step whose wind is known, which a snapshot asked for
+    mutable Grid relief_;  ///< working memory of the shear stress
+    mutable Grid across_;  ///< likewise
     mutable BentWind bent_;
     mutable Grid state_bed_;
     mutable Grid state_rock_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "base/grid.h"
@@ -51,6 +52,8 @@ class WindShadow {
     /// Where it was asked for, the bed with its separation bubbles: the higher of the bed and the
     /// surface that falls at the full angle. Metres.
     [[nodiscard]] const Grid& envelope() const { return envelope_; }
+    /// Swaps it with a grid of the ground's size, which the next shadow writes over.
+    void swap_envelope(Grid& grid) { std::swap(envelope_, grid); }
 
   private:
     /// Rows before the first from which a shadow can reach it.

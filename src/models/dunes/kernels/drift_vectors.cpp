@@ -145,7 +145,7 @@ void lift(std::size_t count, double layer, double greatest, const double* shade,
 }
 
 void deposit(std::size_t count, const Staying& share, const double* shade, const std::int64_t* rock,
-             const std::int64_t* arrived, std::int64_t* surface, std::int64_t* moving,
+             std::int64_t* arrived, std::int64_t* surface, std::int64_t* moving,
              std::int64_t* landed) {
     for_cells(0, count, [&](auto d, std::size_t x) HWY_ATTR {
         const hn::RebindToSigned<decltype(d)> whole;
@@ -161,7 +161,9 @@ void deposit(std::size_t count, const Staying& share, const double* shade, const
         const auto stays = whole_of(d, hn::Mul(all, real_of(d, came)));
         hn::StoreU(hn::Add(here, stays), whole, surface + x);
         hn::StoreU(hn::Sub(came, stays), whole, moving + x);
-        hn::StoreU(hn::Add(hn::LoadU(whole, landed + x), came), whole, landed + x);
+        hn::StoreU(hn::Zero(whole), whole, arrived + x);
+        if (landed != nullptr)
+            hn::StoreU(hn::Add(hn::LoadU(whole, landed + x), came), whole, landed + x);
     });
 }
 
@@ -200,7 +202,7 @@ void lift(std::size_t count, double layer, double greatest, const double* shade,
 }
 
 void deposit(std::size_t count, const Staying& share, const double* shade, const std::int64_t* rock,
-             const std::int64_t* arrived, std::int64_t* surface, std::int64_t* moving,
+             std::int64_t* arrived, std::int64_t* surface, std::int64_t* moving,
              std::int64_t* landed) {
     HWY_DYNAMIC_DISPATCH(deposit)(count, share, shade, rock, arrived, surface, moving, landed);
 }

@@ -58,9 +58,10 @@ struct Staying {
 };
 
 /// Of what arrives in a row's cells the larger of the shade and of the cover's share stays, times
-/// the share that lands; the rest moves on. `landed` takes all of it.
+/// the share that lands; the rest moves on. `landed`, where it is not null, takes all of it.
+/// Nothing is left in `arrived`.
 void deposit(std::size_t count, const Staying& share, const double* shade, const std::int64_t* rock,
-             const std::int64_t* arrived, std::int64_t* surface, std::int64_t* moving,
+             std::int64_t* arrived, std::int64_t* surface, std::int64_t* moving,
              std::int64_t* landed);
 
 }  // namespace fumon::drift_vectors
