@@ -77,7 +77,7 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
             cells.values()[i] = LandCell::known;
             missing.values()[i] = heights.values()[i] - level_ - under.values()[i];
         } else if (between.values()[i] == 0) {
-            cells.values()[i] = relief_.values()[i] <= outlet ? LandCell::outlet : LandCell::wall;
+            cells.values()[i] = LandCell::known;
         }
     }
     lead_over(missing, outside, between);
@@ -87,10 +87,7 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
                                ? heights.values()[i]
                                : level_ + under.values()[i] + missing.values()[i];
     drain_between(own_, cells, dx, dy, least_fall, steepest_share * slopes.hillslope());
-    Mask leaves(nx_, ny_);
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        leaves.values()[i] = cells.values()[i] == LandCell::outlet ? 1 : 0;
-    downstream_ = route_flow(own_, leaves, dx, dy).receiver;
+    downstream_ = route_flow(own_, {}, dx, dy).receiver;
 }
 
 void SurroundingPlain::lead_over(Grid& tile, const Mask& outside, const Mask& between) const {

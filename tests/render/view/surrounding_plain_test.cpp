@@ -186,6 +186,50 @@ TEST(SurroundingLand, IsAsSteepAsTheBedAndTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(in.maps.bed, Maps(bed, 2).maps.bed);
 }
 
+/// The sharpest bend of rows and columns, from cell to cell.
+double sharpest_bend(const Grid& land, const Mask& without) {
+    double most = 0.0;
+    for (int y = 1; y + 1 < land.ny(); ++y) {
+        for (int x = 1; x + 1 < land.nx(); ++x) {
+            if (!without.empty() && without(x, y) != 0) continue;
+            const double twice = 2.0 * land(x, y);
+            most = std::max({most, std::abs(land(x + 1, y) + land(x - 1, y) - twice),
+                             std::abs(land(x, y + 1) + land(x, y - 1) - twice)});
+        }
+    }
+    return most;
+}
+
+/// The bed's tile or, `first` a tile's width, the plain's.
+Grid tile_from(const Maps& in, int first) {
+    Grid tile(in.nx, in.ny);
+    for (int y = 0; y < in.ny; ++y)
+        for (int x = 0; x < in.nx; ++x) tile(x, y) = in.maps.bed(first + x, y);
+    return tile;
+}
+
+Mask surveyed(const Maps& in) {
+    Mask cells(in.nx, in.ny);
+    for (int y = 0; y < in.ny; ++y)
+        for (int x = 0; x < in.nx; ++x) cells(x, y) = is_bed(in, x, y) ? 1 : 0;
+    return cells;
+}
+
+TEST(SurroundingLand, MeetsThePlainWithoutATrench) {
+    const Maps in(valley());
+    EXPECT_LT(sharpest_bend(tile_from(in, 0), surveyed(in)),
+              1.5 * sharpest_bend(tile_from(in, in.nx), {}));
+}
+
+TEST(SurroundingLand, FallsFromHighRimsNoMoreSteeplyThanTheBed) {
+    Snapshot bed = valley();
+    for (int y = 0; y < bed_ny; ++y)
+        for (int x = 0; x < bed_nx; ++x) bed.bed(x, y) += 4.0 * y;
+    const Maps in(bed);
+    EXPECT_LT(mean_gradient(tile_from(in, 0), surveyed(in), 10.0, 10.0),
+              1.25 * mean_gradient(bed.bed, {}, 10.0, 10.0));
+}
+
 TEST(SurroundingLand, StaysInAFilmOfABedThatChanges) {
     const Snapshot first = valley();
     const Maps in(first);
