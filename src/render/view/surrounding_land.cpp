@@ -21,6 +21,7 @@ constexpr double wander_share = 0.1;       // of the margin: how far aside river
 constexpr double low_share = 0.25;         // of the frame's cells, below the bed's lowest edge
 constexpr double least_fall_share = 1e-3;  // of the mean gradient, from a cell to the next
 constexpr double steepest_share = 1.5;     // of hillslopes: beside valleys that lead out
+constexpr double clear_share = 0.8;        // of the margin: between the bed and the plain alone
 constexpr int coarse_cell = 8;             // cells: over which slopes at the bed's edge are led on
 constexpr double begins_within = 10.0;     // cells from the bed
 constexpr double ends_within = 4.0;        // cells: water that no valley takes
@@ -42,10 +43,13 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
     const Field<float> depth = distances_to(outside);
 
     double lowest = 1e300;
+    double highest = -1e300;
     std::vector<double> frame;
     for (std::size_t i = 0; i < outside.size(); ++i) {
         if (outside.values()[i] == 0) {
-            if (depth.values()[i] <= 1.5F) lowest = std::min(lowest, heights.values()[i]);
+            if (depth.values()[i] > 1.5F) continue;
+            lowest = std::min(lowest, heights.values()[i]);
+            highest = std::max(highest, heights.values()[i]);
         } else if (between.values()[i] == 0) {
             frame.push_back(tile.heights.values()[i]);
         }
@@ -86,7 +90,11 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
         own_.values()[i] = outside.values()[i] == 0
                                ? heights.values()[i]
                                : level_ + under.values()[i] + missing.values()[i];
-    drain_between(own_, cells, dx, dy, least_fall, steepest_share * slopes.hillslope());
+    // From the highest rim down to the plain on the way there is.
+    const double way = clear_share * margin * std::min(dx, dy);
+    const double needed = (highest - level_ - *std::ranges::min_element(frame)) / way;
+    drain_between(own_, cells, dx, dy, least_fall,
+                  std::max(steepest_share * slopes.hillslope(), needed));
     downstream_ = route_flow(own_, {}, dx, dy).receiver;
 }
 
