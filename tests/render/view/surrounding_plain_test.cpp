@@ -230,6 +230,15 @@ TEST(SurroundingLand, FallsFromHighRimsNoMoreSteeplyThanTheBed) {
               1.25 * mean_gradient(bed.bed, {}, 10.0, 10.0));
 }
 
+TEST(SurroundingLand, HasNoCliffWhereASmoothSlopeComesDownToThePlain) {
+    Snapshot bed = valley();
+    for (int y = 0; y < bed_ny; ++y)
+        for (int x = 0; x < bed_nx; ++x)
+            bed.bed(x, y) = x < 45 ? 60.0 : 60.0 - 4.0 * (x - 45) + 0.5 * std::sin(0.9 * y);
+    const Maps in(bed);
+    EXPECT_LT(sharpest_bend(tile_from(in, 0), surveyed(in)), 30.0);
+}
+
 TEST(SurroundingLand, StaysInAFilmOfABedThatChanges) {
     const Snapshot first = valley();
     const Maps in(first);
