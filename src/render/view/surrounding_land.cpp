@@ -167,11 +167,12 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, Snapshot& maps) const
     for (std::size_t i = 0; i < inside.size(); ++i) {
         if (inside.values()[i] == 0) continue;
         const double deep = std::max(depth.values()[i], 0.0);
-        if (within.values()[i] <= 1.5F && deep < least_stream * closed) {
+        if (deep < least_stream * closed) {
+            if (within.values()[i] > 1.5F) continue;
             damp += std::sqrt(std::min(deep / closed, 1.0));
             ++edge;
+            continue;
         }
-        if (deep < closed) continue;
         const double fast = std::hypot(along_x.values()[i], along_y.values()[i]);
         for (std::int32_t cell = downstream_.values()[i]; cell != FlowRouting::outlet;
              cell = downstream_.values()[static_cast<std::size_t>(cell)]) {
