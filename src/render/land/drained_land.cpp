@@ -126,23 +126,14 @@ double wandering(double share, double begin) {
            0.2 * elementary::sin(turn * (5.0 * share + 2.9 * begin));
 }
 
-/// How a routing takes walls.
-enum class Walls { as_high_as_they_are, without_end };
-
-FlowRouting routing_over(const Grid& heights, const Field<LandCell>& cells, Walls walls, double dx,
-                         double dy) {
-    constexpr double above_all = 1e300;
-    Grid level = heights;
+FlowRouting routing_over(const Grid& heights, const Field<LandCell>& cells, double dx, double dy) {
     Mask outlets(cells.nx(), cells.ny());
-    for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
         if (cells.values()[i] == LandCell::outlet) outlets.values()[i] = 1;
-        if (cells.values()[i] == LandCell::wall && walls == Walls::without_end)
-            level.values()[i] = above_all;
-    }
-    return route_flow(level, outlets, dx, dy);
+    return route_flow(heights, outlets, dx, dy);
 }
 
-/// Carves below cells that stay and what is carved; returns which cells are.
+/// Lowers free cells below those from which water comes; returns which ones.
 Mask carve(Grid& heights, const Field<LandCell>& cells, const FlowRouting& routing,
            double least_fall) {
     Mask carved(heights.nx(), heights.ny());
@@ -152,7 +143,6 @@ Mask carve(Grid& heights, const Field<LandCell>& cells, const FlowRouting& routi
         if (receiver == FlowRouting::outlet) continue;
         const auto next = static_cast<std::size_t>(receiver);
         if (cells.values()[next] != LandCell::free) continue;
-        if (cells.values()[here] == LandCell::free && carved.values()[here] == 0) continue;
         const double most = heights.values()[here] - least_fall;
         if (heights.values()[next] <= most) continue;
         heights.values()[next] = most;
@@ -162,7 +152,7 @@ Mask carve(Grid& heights, const Field<LandCell>& cells, const FlowRouting& routi
 }
 
 void fill(Grid& heights, const Field<LandCell>& cells, double dx, double dy, double least_fall) {
-    const FlowRouting routing = routing_over(heights, cells, Walls::as_high_as_they_are, dx, dy);
+    const FlowRouting routing = routing_over(heights, cells, dx, dy);
     for (const std::int32_t cell : routing.upward) {
         const auto here = static_cast<std::size_t>(cell);
         const std::int32_t receiver = routing.receiver.values()[here];
@@ -187,26 +177,25 @@ void smooth(Grid& heights, const Mask& still) {
     }
 }
 
-/// How low free cells may lie beside those that stay, of land that falls no more steeply.
-Grid lowest_beside(const Grid& heights, const Field<LandCell>& cells, double dx, double dy,
-                   double steepest) {
+/// The lowest surface that falls from some cells no more steeply than `steepest`, by chamfer
+/// distances.
+Grid falling_from(const Grid& heights, const Mask& from, double dx, double dy, double steepest) {
     constexpr double below_all = -1e300;
     const int nx = heights.nx();
     const int ny = heights.ny();
-    Grid lowest = heights;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        if (cells.values()[i] == LandCell::free) lowest.values()[i] = below_all;
+    Grid falling = heights;
+    for (std::size_t i = 0; i < from.size(); ++i)
+        if (from.values()[i] == 0) falling.values()[i] = below_all;
     const double across = elementary::hypot(dx, dy);
     const auto take = [&](int x, int y, int u, int v, double length) {
         if (u < 0 || v < 0 || u >= nx || v >= ny) return;
-        lowest(x, y) = std::max(lowest(x, y), lowest(u, v) - steepest * length);
+        falling(x, y) = std::max(falling(x, y), falling(u, v) - steepest * length);
     };
-    for (const int step : {-1, 1}) {  // chamfer distances: once on the way there, once back
+    for (const int step : {-1, 1}) {  // once on the way there, once back
         for (int j = 0; j < ny; ++j) {
             const int y = step < 0 ? j : ny - 1 - j;
             for (int i = 0; i < nx; ++i) {
                 const int x = step < 0 ? i : nx - 1 - i;
-                if (cells(x, y) != LandCell::free) continue;
                 take(x, y, x + step, y, dx);
                 take(x, y, x - 1, y + step, across);
                 take(x, y, x, y + step, dy);
@@ -214,36 +203,42 @@ Grid lowest_beside(const Grid& heights, const Field<LandCell>& cells, double dx,
             }
         }
     }
-    return lowest;
+    return falling;
+}
+
+/// Where cells are not free.
+Mask staying(const Field<LandCell>& cells) {
+    Mask stays(cells.nx(), cells.ny());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        if (cells.values()[i] != LandCell::free) stays.values()[i] = 1;
+    return stays;
 }
 
 }  // namespace
 
 void drain(Grid& heights, const Field<LandCell>& cells, double dx, double dy, double least_fall) {
-    carve(heights, cells, routing_over(heights, cells, Walls::without_end, dx, dy), least_fall);
+    carve(heights, cells, routing_over(heights, cells, dx, dy), least_fall);
     fill(heights, cells, dx, dy, least_fall);
 }
 
 void drain_between(Grid& heights, const Field<LandCell>& cells, double dx, double dy,
                    double least_fall, double steepest) {
-    const Grid lowest = lowest_beside(heights, cells, dx, dy, steepest);
+    Mask still = staying(cells);
+    const Grid lowest = falling_from(heights, still, dx, dy, steepest);
     for (std::size_t i = 0; i < heights.size(); ++i)
-        heights.values()[i] = std::max(heights.values()[i], lowest.values()[i]);
-    const FlowRouting routing = routing_over(heights, cells, Walls::without_end, dx, dy);
-    Grid gentle = heights;
-    const Mask carved = carve(gentle, cells, routing, least_fall);
-    for (const std::int32_t cell : routing.upward) {
-        const auto here = static_cast<std::size_t>(cell);
-        const std::int32_t receiver = routing.receiver.values()[here];
-        if (receiver == FlowRouting::outlet || cells.values()[here] != LandCell::free) continue;
-        const auto next = static_cast<std::size_t>(receiver);
-        const double fall = heights.values()[here] - heights.values()[next];
-        const double most = gentle.values()[next] + std::max(fall, steepest * routing.length(cell));
-        gentle.values()[here] = std::min(gentle.values()[here], most);
-        if (carved.values()[here] == 0)
-            gentle.values()[here] = std::max(gentle.values()[here], lowest.values()[here]);
+        if (still.values()[i] == 0)
+            heights.values()[i] = std::max(heights.values()[i], lowest.values()[i]);
+    const Mask carved = carve(heights, cells, routing_over(heights, cells, dx, dy), least_fall);
+    Grid floors = heights;
+    for (double& height : floors.values()) height = -height;
+    const Grid sides = falling_from(floors, carved, dx, dy, steepest);
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        const double most = -sides.values()[i];
+        if (still.values()[i] != 0) continue;
+        if (heights.values()[i] < most) still.values()[i] = 1;
+        heights.values()[i] = std::min(heights.values()[i], most);
     }
-    heights = std::move(gentle);
+    smooth(heights, still);
     drain(heights, cells, dx, dy, least_fall);
 }
 
@@ -292,7 +287,7 @@ DrainedTile drained_tile(const Grid& relief, const SlopeByArea& slopes, const La
     };
     const auto place_of = [&](int x, int y) {
         return EdgePosition{x + 0.5 + wander * wandering((y + 0.5) / noise.ny(), 0.13),
-                            y + 0.5 + wander * wandering((x + 0.5) / noise.nx(), 0.61)};
+                     y + 0.5 + wander * wandering((x + 0.5) / noise.nx(), 0.61)};
     };
     const auto is_river = [&](const EdgePosition& at) {
         return beside_edge(at.u, noise.nx()) < 1.0 || beside_edge(at.v, noise.ny()) < 1.0;

@@ -11,20 +11,19 @@ namespace fumon {
 enum class LandCell : std::uint8_t {
     free,    ///< its height is chosen
     known,   ///< its height stays, and water runs over it
-    wall,    ///< the same, and no valley is carved towards it
     outlet,  ///< its height stays, and water leaves there
 };
 
 /// Changes the free cells of a surface so that water runs from each of them, and from where known
-/// ones and walls spill, down to an outlet: below those it carves, along the way by which a flood
-/// would come (priority flood: Barnes, Lehman & Mulla 2014), and elsewhere it fills. Every free
-/// cell then has a lower neighbour. Outlets lie lower than all others that stay, by more than all
-/// falls along a way. `least_fall`: from a cell to the next.
+/// ones spill, down to an outlet or out over the grid's edge: it carves along the way by which a
+/// flood would come (priority flood: Barnes, Lehman & Mulla 2014), and fills what lies lower than
+/// known cells on that way. Every free cell then has a lower neighbour. `least_fall`: from a cell
+/// to the next.
 void drain(Grid& heights, const Field<LandCell>& cells, double dx, double dy, double least_fall);
 
 /// The same for land that leads from heights that stay to others. Free land falls from these no
-/// more steeply than `steepest`, and beside valleys that are carved no more steeply than that, or
-/// than it did, so that they are as wide as valleys are.
+/// more steeply than `steepest`, and the sides of valleys that are carved are no steeper than that,
+/// so that these are as wide as valleys are.
 void drain_between(Grid& heights, const Field<LandCell>& cells, double dx, double dy,
                    double least_fall, double steepest);
 

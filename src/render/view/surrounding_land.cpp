@@ -22,10 +22,11 @@ constexpr double wander_share = 0.1;       // of the margin: how far aside river
 constexpr double low_share = 0.25;         // of the frame's cells, below the bed's lowest edge
 constexpr double least_fall_share = 1e-3;  // of the mean gradient, from a cell to the next
 constexpr double steepest_share = 1.5;     // of hillslopes: beside valleys that lead out
+constexpr double clear_share = 0.8;        // of the margin: between the bed and the plain alone
 constexpr int coarse_cell = 8;             // cells: over which slopes at the bed's edge are led on
 constexpr double begins_within = 10.0;     // cells from the bed
 constexpr double ends_within = 4.0;        // cells: water that no valley takes
-constexpr double least_stream = 3.0;       // of closed_depth: water that a valley takes
+constexpr double least_stream = 3.0;       // of closed_depth: of streams and lakes
 
 }  // namespace
 
@@ -43,10 +44,13 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
     const Field<float> depth = distances_to(outside);
 
     double lowest = 1e300;
+    double highest = -1e300;
     std::vector<double> frame;
     for (std::size_t i = 0; i < outside.size(); ++i) {
         if (outside.values()[i] == 0) {
-            if (depth.values()[i] <= 1.5F) lowest = std::min(lowest, heights.values()[i]);
+            if (depth.values()[i] > 1.5F) continue;
+            lowest = std::min(lowest, heights.values()[i]);
+            highest = std::max(highest, heights.values()[i]);
         } else if (between.values()[i] == 0) {
             frame.push_back(tile.heights.values()[i]);
         }
@@ -78,7 +82,7 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
             cells.values()[i] = LandCell::known;
             missing.values()[i] = heights.values()[i] - level_ - under.values()[i];
         } else if (between.values()[i] == 0) {
-            cells.values()[i] = relief_.values()[i] <= outlet ? LandCell::outlet : LandCell::wall;
+            cells.values()[i] = LandCell::known;
         }
     }
     lead_over(missing, outside, between);
@@ -87,11 +91,12 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
         own_.values()[i] = outside.values()[i] == 0
                                ? heights.values()[i]
                                : level_ + under.values()[i] + missing.values()[i];
-    drain_between(own_, cells, dx, dy, least_fall, steepest_share * slopes.hillslope());
-    Mask leaves(nx_, ny_);
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        leaves.values()[i] = cells.values()[i] == LandCell::outlet ? 1 : 0;
-    downstream_ = route_flow(own_, leaves, dx, dy).receiver;
+    // From the highest rim down to the plain on the way there is.
+    const double way = clear_share * margin * std::min(dx, dy);
+    const double needed = (highest - level_ - *std::ranges::min_element(frame)) / way;
+    drain_between(own_, cells, dx, dy, least_fall,
+                  std::max(steepest_share * slopes.hillslope(), needed));
+    downstream_ = route_flow(own_, {}, dx, dy).receiver;
 }
 
 void SurroundingPlain::lead_over(Grid& tile, const Mask& outside, const Mask& between) const {
@@ -142,38 +147,50 @@ void SurroundingPlain::lead_over(Grid& tile, const Mask& outside, const Mask& be
     for (std::size_t i = 0; i < tile.size(); ++i) tile.values()[i] += led.values()[i];
 }
 
-/// Water that has a depth runs on from the edge as deep as it is there, along the way down; the
-/// rest ends within a few cells.
+/// Water that leaves the bed runs on as deep as it leaves, along the way down. All other ground is
+/// as damp as the bed's edge is on average where no stream or lake lies, and deeper water at the
+/// edge gives way to that within a few cells.
 void SurroundingPlain::add_water(const Snapshot& snapshot, Snapshot& maps) const {
     const Mask outside = outside_of(snapshot.nodata);
     Mask inside(nx_, ny_);
     for (std::size_t i = 0; i < inside.size(); ++i)
         inside.values()[i] = outside.values()[i] == 0 ? 1 : 0;
     const Field<float> away = distances_to(inside);
+    const Field<float> within = distances_to(outside);
     const Grid depth = in_tile(*field_of(snapshot.fields, "water_depth"));
     const Grid along_x = in_tile(*field_of(snapshot.fields, "velocity_x"));
     const Grid along_y = in_tile(*field_of(snapshot.fields, "velocity_y"));
     Grid stream(nx_, ny_);
     Grid speed(nx_, ny_);
-    const double least = least_stream * closed_depth(snapshot.scale);
+    const double closed = closed_depth(snapshot.scale);
+    double damp = 0.0;  // as the dampness of ground goes with the depth: by its root
+    std::size_t edge = 0;
     for (std::size_t i = 0; i < inside.size(); ++i) {
-        if (inside.values()[i] == 0 || depth.values()[i] < least) continue;
+        if (inside.values()[i] == 0) continue;
+        const double deep = std::max(depth.values()[i], 0.0);
+        if (deep < least_stream * closed) {
+            if (within.values()[i] > 1.5F) continue;
+            damp += std::sqrt(std::min(deep / closed, 1.0));
+            ++edge;
+            continue;
+        }
         const double fast = elementary::hypot(along_x.values()[i], along_y.values()[i]);
         for (std::int32_t cell = downstream_.values()[i]; cell != FlowRouting::outlet;
              cell = downstream_.values()[static_cast<std::size_t>(cell)]) {
             const auto at = static_cast<std::size_t>(cell);
-            if (depth.values()[at] >= least || stream.values()[at] >= depth.values()[i]) break;
-            if (inside.values()[at] != 0) continue;
-            stream.values()[at] = depth.values()[i];
+            if (inside.values()[at] != 0 || stream.values()[at] >= deep) break;
+            stream.values()[at] = deep;
             speed.values()[at] = fast;
         }
     }
-    const auto set = [&](const char* name, const auto& value) {
+    if (edge > 0) damp /= static_cast<double>(edge);
+    const double film = closed * damp * damp;
+    const auto set = [&](const char* name, double far, const auto& value) {
         for (SnapshotField& field : maps.fields) {
             if (field.name != name) continue;
             for (int y = 0; y < ny_; ++y) {
                 for (int x = 0; x < nx_; ++x) {
-                    field.values(nx_ + x, y) = 0.0;
+                    field.values(nx_ + x, y) = far;
                     if (inside(x, y) == 0) field.values(x, y) = value(x, y, field.values(x, y));
                 }
             }
@@ -182,8 +199,8 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, Snapshot& maps) const
     const auto share = [&](int x, int y) {
         return smooth_step(-ends_within, -0.5, -static_cast<double>(away(x, y)));
     };
-    set("water_depth", [&](int x, int y, double continued) {
-        return std::max(stream(x, y), share(x, y) * std::max(continued, 0.0));
+    set("water_depth", film, [&](int x, int y, double continued) {
+        return std::max(stream(x, y), std::lerp(film, std::max(continued, 0.0), share(x, y)));
     });
     const auto way = [&](int x, int y, bool east) {
         const std::int32_t next = downstream_(x, y);
@@ -192,11 +209,11 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, Snapshot& maps) const
         const double v = next / nx_ - y;
         return (east ? u : v) / elementary::hypot(u, v);
     };
-    set("velocity_x", [&](int x, int y, double continued) {
-        return stream(x, y) > 0.0 ? speed(x, y) * way(x, y, true) : continued;
+    set("velocity_x", 0.0, [&](int x, int y, double continued) {
+        return stream(x, y) > 0.0 ? speed(x, y) * way(x, y, true) : share(x, y) * continued;
     });
-    set("velocity_y", [&](int x, int y, double continued) {
-        return stream(x, y) > 0.0 ? speed(x, y) * way(x, y, false) : continued;
+    set("velocity_y", 0.0, [&](int x, int y, double continued) {
+        return stream(x, y) > 0.0 ? speed(x, y) * way(x, y, false) : share(x, y) * continued;
     });
 }
 

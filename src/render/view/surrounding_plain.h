@@ -28,8 +28,8 @@ bool is_bounded(const Snapshot& snapshot);
 /// Around land, a bed of the landforms terrain and water, there is land that is drained: its relief
 /// is DrainedTile's, of the bed's own slopes by drained area, and in the bed's tile drain_between()
 /// leads valleys out from where the bed's water leaves. It is made of the first bed, so that a film
-/// shows one land; what changes at a bed's edge later goes on over it as a thin plate. Water runs
-/// on from the edge along the valleys' beds, and other water ends within a few cells.
+/// shows one land; what changes at a bed's edge later goes on over it as a thin plate. Water
+/// that leaves the bed runs on along the valleys' beds; other ground is as damp as the edge is.
 class SurroundingPlain {
   public:
     /// Of a bed, as it is shown.

@@ -44,7 +44,7 @@ TEST(DrainedLand, LeavesNoHollow) {
         for (int x = 20; x < 28; ++x) cells(x, y) = LandCell::known;
     for (int x = 0; x < side; ++x) {
         cells(x, 0) = LandCell::outlet;
-        cells(x, side - 1) = LandCell::wall;
+        cells(x, side - 1) = LandCell::known;
         heights(x, 0) = -9.0;
     }
     const Grid before = heights;
