@@ -287,7 +287,7 @@ DrainedTile drained_tile(const Grid& relief, const SlopeByArea& slopes, const La
     };
     const auto place_of = [&](int x, int y) {
         return EdgePosition{x + 0.5 + wander * wandering((y + 0.5) / noise.ny(), 0.13),
-                     y + 0.5 + wander * wandering((x + 0.5) / noise.nx(), 0.61)};
+                            y + 0.5 + wander * wandering((x + 0.5) / noise.nx(), 0.61)};
     };
     const auto is_river = [&](const EdgePosition& at) {
         return beside_edge(at.u, noise.nx()) < 1.0 || beside_edge(at.v, noise.ny()) < 1.0;
