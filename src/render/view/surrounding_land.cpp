@@ -205,8 +205,10 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, Snapshot& maps) const
     const auto way = [&](int x, int y, bool east) {
         const std::int32_t next = downstream_(x, y);
         if (next == FlowRouting::outlet) return 0.0;
-        const double u = next % nx_ - x;
-        const double v = next / nx_ - y;
+        const int next_x = next % nx_;
+        const int next_y = next / nx_;
+        const double u = next_x - x;
+        const double v = next_y - y;
         return (east ? u : v) / elementary::hypot(u, v);
     };
     set("velocity_x", 0.0, [&](int x, int y, double continued) {
@@ -221,7 +223,7 @@ std::function<Grid(double from, double until)> SurroundingPlain::rain_over_tile(
     const Snapshot& snapshot) const {
     if (!snapshot.rain) return {};
     return [this, rain = snapshot.rain, nodata = snapshot.nodata](double from, double until) {
-        const Grid fallen = rain(from, until);
+        Grid fallen = rain(from, until);
         if (fallen.size() == 1) return fallen;
         const Grid maps = continued(fallen, nodata);
         Grid tile(nx_, ny_);
