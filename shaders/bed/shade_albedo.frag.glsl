@@ -10,6 +10,9 @@
 // Palette places up to which ground is bare floor, and from which it is sand alone; how far there is such ground at all.
 uniform vec3 floor_values;
 
+uniform float pales;             // 1: invented ground is grey
+uniform sampler2D invented_map;  // how far ground is invented
+
 uniform float own_texels;  // 1: the target has the maps' texels
 
 in vec2 position;
@@ -39,5 +42,6 @@ void main() {
     float bare = bare_sand(position) * (1.0 - plain * rock);
     float between = bare * floor_share(point, value, noise);
     vec3 albedo = mix(ground_albedo(position, point, value), floor_albedo(noise), between);
+    if (pales > 0.5) albedo = mix(albedo, vec3(mix(luminance(albedo), 0.45, 0.3)), 0.85 * texture(invented_map, position).r);
     colour = vec4(sqrt(albedo), bare * (1.0 - 0.85 * between));
 }

@@ -246,6 +246,7 @@ void FilmPainter::place_overlays(const FilmSize& size) {
         if (is_own(overlay)) overlay.show = false;
     if (several) {  // each run has its own
         whole_.view.look.contours = WordOrReal{"none", 0.0};
+        whole_.view.look.survey_edge = SurveyEdge::none;
         whole_.view.layers.clear();
         whole_.view.placed_layers.reset();
     }

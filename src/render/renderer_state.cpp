@@ -46,6 +46,8 @@ RendererState::RendererState(gl::Context& context_, const View& view_, const Sna
       one_picture(limits.one_picture) {
     if (shades_water_by_pixel(view, first))
         water_block.emplace(plan, fixed, kind, limits.pixels_alike);
+    if (plain && view.look.survey_edge == SurveyEdge::fade)
+        shading.pale(plain->invented_share(first));
     if (plain) plain->stand_in(view.camera, *first_in_plain, block);
     if (endless())
         world.emplace(view, ground, first_ground(), refinement, origin, copies, fixed, mipmaps,

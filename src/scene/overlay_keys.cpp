@@ -51,6 +51,7 @@ void name_parameter_keys(Scene& scene) {
 bool has_overlays(const Scene& scene) {
     const auto& overlays = scene.view.overlays;
     return scene.view.look.draws_contours() || !scene.view.layers.empty() ||
+           scene.view.look.survey_edge == SurveyEdge::line ||
            std::any_of(overlays.begin(), overlays.end(),
                        [](const OverlaySettings& overlay) { return overlay.show; });
 }

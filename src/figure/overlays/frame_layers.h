@@ -9,11 +9,15 @@
 
 namespace fumon {
 
-/// The layers of a scene over its frames ([[layer]]), where the camera sees the ground they lie on.
+/// The layers of a scene over its frames ([[layer]]), and the edge of its survey under them, where
+/// the camera sees the ground they lie on.
 class FrameLayers {
   public:
     /// Of the frames of a scene, which outlives them. `font_size` in pixels.
     FrameLayers(const OverlayScene& on, double font_size);
+
+    /// Whether frames of a scene have any.
+    [[nodiscard]] static bool has_any(const OverlayScene& on);
 
     /// Draws them over a frame; labels keep away from boxes that are `taken`.
     void draw(Image& image, const OverlayFrame& frame, const std::vector<CanvasBox>& taken,
@@ -21,6 +25,8 @@ class FrameLayers {
 
   private:
     const Scene& scene_;
+    std::vector<LayerSettings> settings_;
+    PlacedLayers placed_;
     Snapshot first_;  ///< as it is drawn
     Block block_;
     double length_x_;  ///< of the bed, metres or sites

@@ -185,7 +185,7 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
     }
     if (scene.view.look.draws_contours() && !first.section && first.bed.ny() > 1)
         contours_ = std::make_unique<FrameContours>(on, usual_font(scene.view.image));
-    if (scene.view.placed_layers && !first.section && first.bed.ny() > 1)
+    if (FrameLayers::has_any(on))
         layers_ = std::make_unique<FrameLayers>(on, usual_font(scene.view.image));
     const auto width = static_cast<double>(scene.view.image.width);
     const auto height = static_cast<double>(scene.view.image.height);

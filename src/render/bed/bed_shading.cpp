@@ -14,6 +14,7 @@ namespace fumon {
 
 namespace {
 
+constexpr int invented_unit = 6;     // the water's where a bed on a table has some
 constexpr int enough_texels = 1024;  // along the longer side of the shaded bed, if it is small
 // Of ground under water: to a pixel at most so many, along the longer side, and in what is seen.
 constexpr double finest_shown = 1.0;
@@ -302,6 +303,13 @@ void BedShading::bind_water(const gl::Program& program, const std::array<int, 5>
     if (water_) water_->set_uniforms(program, units, camera, 0.0);
 }
 
+void BedShading::pale(const Field<std::uint8_t>& invented) {
+    gl::TextureLayout layout = mark_layout;
+    layout.filter = GL_LINEAR;
+    layout.wrap = GL_REPEAT;
+    invented_.emplace(invented.nx(), invented.ny(), layout, invented.data());
+}
+
 void BedShading::bind(const gl::Program& program, const glm::dvec2& texel) const {
     lighting_.bind(0);
     values_.bind(1);
@@ -313,6 +321,11 @@ void BedShading::bind(const gl::Program& program, const glm::dvec2& texel) const
     program.set("palette", 2);
     program.set("mark_map", 3);
     program.set("uncoloured_map", 4);
+    program.set("pales", invented_ ? 1.0F : 0.0F);
+    if (invented_) {
+        invented_->bind(invented_unit);
+        program.set("invented_map", invented_unit);
+    }
     if (noise_) {
         noise_->colour().bind(5);
         program.set("noise_map", 5);

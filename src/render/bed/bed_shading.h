@@ -38,6 +38,9 @@ class BedShading {
                const gl::MipmapMaker& mipmaps, PixelFormat kind = PixelFormat::display_8,
                const glm::dvec2& bed_share = glm::dvec2(1.0));
 
+    /// Lets ground of endless maps pale to grey as far as it is invented, 0 … 255.
+    void pale(const Field<std::uint8_t>& invented);
+
     /// Uploads what light (see lighting_texels) and colouring make of a snapshot. `water` is given
     /// where draws_water says so.
     void upload(const Snapshot& snapshot, const Snapshot& first,
@@ -103,6 +106,7 @@ class BedShading {
     gl::Texture2D values_;
     gl::Texture2D marks_;
     gl::Texture2D uncoloured_;
+    std::optional<gl::Texture2D> invented_;  ///< see pale()
     std::optional<gl::RenderTarget> noise_;  // of the ground's colour; none for a figure
     std::optional<WaterShading> water_;
     std::optional<DrapeTexture> drape_;

@@ -18,7 +18,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double wander_share = 0.1;       // of the margin: how far aside rivers wander
+constexpr double wander_share = 0.35;      // of the margin: how far aside rivers wander
 constexpr double low_share = 0.25;         // of the frame's cells, below the bed's lowest edge
 constexpr double least_fall_share = 1e-3;  // of the mean gradient, from a cell to the next
 constexpr double steepest_share = 1.5;     // of hillslopes: beside valleys that lead out

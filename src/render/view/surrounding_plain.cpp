@@ -314,6 +314,22 @@ Snapshot SurroundingPlain::around(const Snapshot& snapshot) const {
     return maps;
 }
 
+Field<std::uint8_t> SurroundingPlain::invented_share(const Snapshot& first) const {
+    constexpr double fades_within = 12.0;  // cells
+    Mask inside = outside_of(first.nodata);
+    for (std::uint8_t& cell : inside.values()) cell = cell == 0 ? 1 : 0;
+    const Field<float> away = distances_to(inside);
+    Field<std::uint8_t> share(2 * nx_, ny_, 255);
+    for (int y = 0; y < ny_; ++y) {
+        for (int x = 0; x < nx_; ++x) {
+            const double far = inside(x, y) != 0 ? 0.0 : static_cast<double>(away(x, y));
+            share(x, y) =
+                static_cast<std::uint8_t>(255.0 * smooth_step(0.0, fades_within, far) + 0.5);
+        }
+    }
+    return share;
+}
+
 Snapshot SurroundingPlain::own_tile(const Snapshot& maps) const {
     const auto tile_of = [&](const Grid& field) {
         Grid tile(nx_, ny_);

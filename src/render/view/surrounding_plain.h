@@ -39,6 +39,9 @@ class SurroundingPlain {
     /// periodic and without cells outside.
     [[nodiscard]] Snapshot around(const Snapshot& snapshot) const;
 
+    /// How far their ground is invented: 0 on the bed, 255 from a dozen cells beyond it on.
+    [[nodiscard]] Field<std::uint8_t> invented_share(const Snapshot& first) const;
+
     /// The bed's own tile of such maps, which is periodic too.
     [[nodiscard]] Snapshot own_tile(const Snapshot& maps) const;
 

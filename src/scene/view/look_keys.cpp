@@ -73,6 +73,12 @@ void list_surroundings_keys(LookSettings& look, KeyTable& table) {
                   {FarGround::alike, "alike", "the bed as it is, again and again"}},
                  {.help = "repetitions of a periodic bed far from the camera, on endless ground",
                   .earlier = {"0.3.0", "\"alike\""}});
+    table.choice("look.survey_edge", look.survey_edge,
+                 {{SurveyEdge::none, "none", "as if all of it had been surveyed"},
+                  {SurveyEdge::line, "line", "a thin line around the bed's cells"},
+                  {SurveyEdge::fade, "fade", "invented land pales to grey within a dozen cells"}},
+                 {.help = "how endless ground shows where a bed that ends gives way to invented "
+                          "land"});
     table.choice("look.background", look.background,
                  {{Background::surroundings, "surroundings", "table, sky or the figure's paper"},
                   {Background::transparent, "transparent",

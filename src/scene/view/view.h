@@ -82,6 +82,7 @@ enum class RockSurface { weathered, pavement };
 enum class Ground { automatic, table, endless };
 enum class FarGround { varied, alike };
 enum class Background { surroundings, transparent };
+enum class SurveyEdge { none, line, fade };
 enum class SkyModel { automatic, automatic_0_2, two_colours, atmosphere, overcast };
 enum class Tone { automatic, automatic_0_2, filmic, agx, agx_punchy, neutral };
 enum class WaterTint { none, blue_green };
@@ -106,6 +107,7 @@ struct LookSettings {
     WordOrReal exaggeration{"auto", 0.0};  ///< vertical
     Ground ground = Ground::automatic;
     FarGround far_copies = FarGround::varied;
+    SurveyEdge survey_edge = SurveyEdge::none;  ///< of a bed that ends, on endless ground
     Background background = Background::surroundings;
     LightKind light = LightKind::automatic;
     SkyModel sky = SkyModel::automatic;
