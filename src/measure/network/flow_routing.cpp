@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <queue>
 #include <utility>
 
 #include "base/snapshot_lookup.h"
+#include "measure/network/level_queue.h"
 
 namespace fumon {
 
@@ -20,7 +20,6 @@ struct Neighbour {
 };
 constexpr std::array<Neighbour, 8> neighbours{
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
-constexpr std::int32_t nowhere = -2;  // beyond the edge, or without data
 
 class Router {
   public:
@@ -43,24 +42,34 @@ class Router {
     }
 
   private:
-    struct Flooded {
-        double level;
-        std::int64_t number;  ///< of those that came in: equal levels leave in order
-        std::int32_t cell;
-        bool operator<(const Flooded& other) const {
-            return level != other.level ? level > other.level : number > other.number;
-        }
-    };
-
-    [[nodiscard]] std::int32_t neighbour(std::int32_t cell, const Neighbour& step) const {
+    /// Visits the neighbours of a cell that water can reach, by their place in `neighbours`.
+    template <class Visit>
+    void for_neighbours(std::int32_t cell, const Visit& visit) const {
         const int nx = routing_.level.nx();
         const int ny = routing_.level.ny();
-        int x = cell % nx + step.x;
-        const int y = cell / nx + step.y;
-        if (wraps_x_) x = (x + nx) % nx;
-        const bool inside =
-            x >= 0 && y >= 0 && x < nx && y < ny && (nodata_.empty() || nodata_(x, y) == 0);
-        return inside ? y * nx + x : nowhere;
+        const int x = cell % nx;
+        const int y = cell / nx;
+        if (x > 0 && y > 0 && x < nx - 1 && y < ny - 1) {
+            for (std::size_t k = 0; k < neighbours.size(); ++k) {
+                const std::int32_t other = cell + neighbours[k].y * nx + neighbours[k].x;
+                if (nodata_.empty() || nodata_.values()[static_cast<std::size_t>(other)] == 0)
+                    visit(k, other);
+            }
+            return;
+        }
+        for (std::size_t k = 0; k < neighbours.size(); ++k) {
+            const int v = y + neighbours[k].y;
+            int u = x + neighbours[k].x;
+            if (wraps_x_) u = (u + nx) % nx;
+            if (u < 0 || v < 0 || u >= nx || v >= ny) continue;
+            if (nodata_.empty() || nodata_(u, v) == 0) visit(k, v * nx + u);
+        }
+    }
+
+    [[nodiscard]] bool is_at_rim(std::int32_t cell) const {
+        std::size_t reached = 0;
+        for_neighbours(cell, [&](std::size_t, std::int32_t) { ++reached; });
+        return reached < neighbours.size();
     }
 
     double& level(std::int32_t cell) {
@@ -77,44 +86,38 @@ class Router {
         const auto know = [&](std::int32_t cell) -> char& {
             return known[static_cast<std::size_t>(cell)];
         };
-        std::priority_queue<Flooded> rim;
-        std::int64_t number = 0;
+        routing_.upward.reserve(routing_.level.size());
+        LevelQueue rim;
         for (std::int32_t cell = 0; cell < cells; ++cell) {
             if (!nodata_.empty() && nodata_.values()[static_cast<std::size_t>(cell)] != 0) continue;
-            const bool at_rim = std::ranges::any_of(neighbours, [&](const Neighbour& step) {
-                return neighbour(cell, step) == nowhere;
-            });
-            if (!at_rim) continue;
+            if (!is_at_rim(cell)) continue;
             know(cell) = 1;
-            rim.push({level(cell), number++, cell});
+            rim.push(level(cell), cell);
         }
         while (!rim.empty()) {
-            const Flooded from = rim.top();
-            rim.pop();
+            const LevelQueue::Entry from = rim.pop();
             routing_.upward.push_back(from.cell);
-            for (const Neighbour& step : neighbours) {
-                const std::int32_t cell = neighbour(from.cell, step);
-                if (cell == nowhere || know(cell) != 0) continue;
+            for_neighbours(from.cell, [&](std::size_t, std::int32_t cell) {
+                if (know(cell) != 0) return;
                 know(cell) = 1;
                 level(cell) = std::max(level(cell), from.level);
                 receiver(cell) = from.cell;
-                rim.push({level(cell), number++, cell});
-            }
+                rim.push(level(cell), cell);
+            });
         }
     }
 
     /// Turns a cell's receiver to its steepest lower neighbour, where there is one.
     void descend(std::int32_t cell) {
         if (receiver(cell) == FlowRouting::outlet) return;
+        const double here = level(cell);
         double steepest = 0.0;
-        for (std::size_t k = 0; k < neighbours.size(); ++k) {
-            const std::int32_t lower = neighbour(cell, neighbours[k]);
-            if (lower == nowhere) continue;
-            const double slope = (level(cell) - level(lower)) / lengths_[k];
-            if (slope <= steepest) continue;
+        for_neighbours(cell, [&](std::size_t k, std::int32_t lower) {
+            const double slope = (here - level(lower)) / lengths_[k];
+            if (slope <= steepest) return;
             steepest = slope;
             receiver(cell) = lower;
-        }
+        });
     }
 
     FlowRouting routing_;

@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <queue>
 #include <utility>
 
 #include "base/elementary.h"
 #include "base/elementary_angle.h"
 #include "measure/network/flow_routing.h"
+#include "measure/network/level_queue.h"
 
 namespace fumon {
 
@@ -29,14 +29,6 @@ constexpr double dome_share = 0.1;  // of a hillslope's steepness, towards the t
 /// ridges are where ways of the same cost meet, without a step between them. `noise` of root mean
 /// square 1 makes slopes uneven.
 Grid graded(const FlowRouting& routing, const SlopeByArea& slopes, const Grid& noise) {
-    struct Reached {
-        double height;
-        std::int64_t number;  ///< equal heights leave in order
-        std::int32_t cell;
-        bool operator<(const Reached& other) const {
-            return height != other.height ? height > other.height : number > other.number;
-        }
-    };
     const Grid area = drainage_area(routing);
     const int nx = area.nx();
     const int ny = area.ny();
@@ -44,8 +36,7 @@ Grid graded(const FlowRouting& routing, const SlopeByArea& slopes, const Grid& n
     Grid slope(nx, ny);
     Grid heights(nx, ny);
     constexpr double not_reached = 1e300;
-    std::priority_queue<Reached> front;
-    std::int64_t number = 0;
+    LevelQueue front;
     for (const std::int32_t cell : routing.upward) {
         const auto here = static_cast<std::size_t>(cell);
         slope.values()[here] =
@@ -55,21 +46,20 @@ Grid graded(const FlowRouting& routing, const SlopeByArea& slopes, const Grid& n
         if (routing.receiver.values()[here] != FlowRouting::outlet) continue;
         const double height = std::min(routing.dx, routing.dy) * slope.values()[here];
         heights.values()[here] = height;
-        front.push({height, number++, cell});
+        front.push(height, cell);
     }
     while (!front.empty()) {
-        const Reached from = front.top();
-        front.pop();
-        if (from.height > heights.values()[static_cast<std::size_t>(from.cell)]) continue;
+        const LevelQueue::Entry from = front.pop();
+        if (from.level > heights.values()[static_cast<std::size_t>(from.cell)]) continue;
         const int x = from.cell % nx;
         const int y = from.cell / nx;
         for (int v = std::max(y - 1, 0); v <= std::min(y + 1, ny - 1); ++v) {
             for (int u = std::max(x - 1, 0); u <= std::min(x + 1, nx - 1); ++u) {
                 const double length = u == x ? routing.dy : v == y ? routing.dx : across;
-                const double over = from.height + length * slope(u, v);
+                const double over = from.level + length * slope(u, v);
                 if (over >= heights(u, v)) continue;  // those without data stay at 0
                 heights(u, v) = over;
-                front.push({over, number++, v * nx + u});
+                front.push(over, v * nx + u);
             }
         }
     }

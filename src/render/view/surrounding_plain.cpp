@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -45,26 +46,41 @@ int tile_side(int cells, int margin) {
     return cells + 2 * margin;
 }
 
-/// Sums over 2r + 1 cells around each, over the edges, along rows or columns.
-void box_sums(Grid& field, int radius, bool along_x) {
-    const int count = along_x ? field.nx() : field.ny();
-    const int lines = along_x ? field.ny() : field.nx();
+/// Sums over 2r + 1 rows around each, over the edges: of all columns side by side.
+void box_sums_of_rows(Grid& field, int radius) {
+    const int count = field.ny();
+    radius = std::min(radius, (count - 1) / 2);
+    const Grid before = field;
+    const auto row = [&](int y) { return before.row((y % count + count) % count); };
+    std::vector<double> sum(static_cast<std::size_t>(field.nx()));
+    const auto add = [&](int y) {
+        std::ranges::transform(sum, row(y), sum.begin(), std::plus<>());
+    };
+    for (int y = -radius; y <= radius; ++y) add(y);
+    for (int y = 0; y < count; ++y) {
+        std::ranges::copy(sum, field.row(y).begin());
+        const auto enters = row(y + radius + 1);
+        const auto leaves = row(y - radius);
+        for (std::size_t x = 0; x < sum.size(); ++x) sum[x] += enters[x] - leaves[x];
+    }
+}
+
+/// The same over columns.
+void box_sums_of_columns(Grid& field, int radius) {
+    const int count = field.nx();
     radius = std::min(radius, (count - 1) / 2);
     std::vector<double> line(static_cast<std::size_t>(count));
-    const auto at = [&](int i, int number) -> double& {
-        const int k = (i % count + count) % count;
-        return along_x ? field(k, number) : field(number, k);
+    const auto from = [&](int i) {
+        return line[static_cast<std::size_t>(i < 0 ? i + count : i < count ? i : i - count)];
     };
-    for (int number = 0; number < lines; ++number) {
+    for (int y = 0; y < field.ny(); ++y) {
+        const auto row = field.row(y);
+        std::ranges::copy(row, line.begin());
         double sum = 0.0;
-        for (int i = 0; i < count; ++i) line[static_cast<std::size_t>(i)] = at(i, number);
-        const auto from = [&](int i) {
-            return line[static_cast<std::size_t>((i + count) % count)];
-        };
         for (int i = -radius; i <= radius; ++i) sum += from(i);
         for (int i = 0; i < count; ++i) {
-            at(i, number) = sum;
-            sum += from((i + radius + 1) % count) - from(i - radius);
+            row[static_cast<std::size_t>(i)] = sum;
+            sum += from(i + radius + 1) - from(i - radius);
         }
     }
 }
@@ -78,9 +94,9 @@ Grid smoothed(const Grid& field, const Grid& weight, int radius) {
     const int third = std::max(1, (radius + 1) / 2);
     const double share = 1.0 / ((2.0 * third + 1.0) * (2.0 * third + 1.0));
     for (int pass = 0; pass < 3; ++pass) {
-        for (const bool along_x : {true, false}) {
-            box_sums(mean, third, along_x);
-            box_sums(sum, third, along_x);
+        for (Grid* field : {&mean, &sum}) {
+            box_sums_of_columns(*field, third);
+            box_sums_of_rows(*field, third);
         }
         for (double& value : mean.values()) value *= share;
         for (double& value : sum.values()) value *= share;
