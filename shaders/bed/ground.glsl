@@ -25,9 +25,33 @@ vec3 mountain(float broad, BedPoint point, float height) {
     return mix(low_ground, cliff, steep);
 }
 
+uniform float covered;  // 1: grass, rock, soil and snow by rule
+uniform sampler2D cover_map;  // how green grass is, how much of it, of rock and of snow there is
+
+// Edges between them are as ragged as the noise.
+vec3 with_cover(vec3 own, vec2 position, vec3 noise) {
+    vec4 cover = texture(cover_map, position);
+    float grass = smoothstep(0.25, 0.75, cover.g + 0.30 * noise.r + 0.15 * noise.g);
+    float stone = smoothstep(0.35, 0.65, cover.b + 0.20 * noise.g + 0.10 * noise.b);
+    float snow = smoothstep(0.40, 0.60, cover.a + 0.25 * noise.g * step(0.004, cover.a) * step(cover.a, 0.996));
+    vec3 meadow = mix(vec3(0.235, 0.205, 0.115), vec3(0.100, 0.124, 0.048), clamp(cover.r + 0.25 * noise.b, 0.0, 1.0)) * (1.0 + 0.12 * noise.g);
+    vec3 soil = mix(own, vec3(0.250, 0.205, 0.155), 0.75);
+    vec3 cliff = mix(0.92 * soil, vec3(0.250, 0.232, 0.212), rock);  // earth where the relief is that of a gully
+    vec3 bare = mix(soil, cliff * (1.0 + 0.22 * noise.g), stone);
+    return mix(mix(bare, meadow, 0.92 * grass * (1.0 - stone)), vec3(0.80, 0.83, 0.88), snow);
+}
+
+// How much of rock is seen.
+float bare_rock(vec2 position) {
+    if (covered < 0.5) return 1.0;
+    vec4 cover = texture(cover_map, position);
+    return cover.b * (1.0 - cover.a);
+}
+
 vec3 ground_albedo(vec2 position, BedPoint point, float value) {
     vec3 noise = 2.0 * texture(noise_map, noise_position(position)).rgb - 1.0;
     vec3 own = mix(sand(1.5 * noise.r, noise.g, point, value), mountain(1.5 * noise.b, point, value), rock);
+    if (covered > 0.5) own = with_cover(own, position, noise);
     if (natural > 0.5) return marked(own, position);
     vec3 coloured = linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb);
     return marked(mix(coloured, own, texture(uncoloured_map, position).r), position);

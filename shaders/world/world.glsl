@@ -151,7 +151,7 @@ vec2 uneven_share(float bare, float slid) { return vec2(1.0) - vec2(0.6, 0.2) * 
 vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * max(1.0 + brighter, 0.1); }
 
 // How far a place is rock that weathers: as marked, or mountains of a bed that ends in a plain.
-float weathered(vec2 position) { return marks > 1.5 ? rock_share(position) : plain * rock; }
+float weathered(vec2 position) { return marks > 1.5 ? rock_share(position) : plain * rock * bare_rock(position); }
 
 // Whether there is any.
 bool has_rock() { return marks > 1.5 || plain * rock > 0.0; }

@@ -1,11 +1,13 @@
 #include "render/renderer_state.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "gl/functions.h"
 #include "render/frame/clouds.h"
 #include "render/frame/view_uniforms.h"
+#include "render/land/land_cover.h"
 #include "render/light/view_light.h"
 #include "render/view/display_bed.h"
 #include "render/view/repeated_bed.h"
@@ -46,6 +48,12 @@ RendererState::RendererState(gl::Context& context_, const View& view_, const Sna
       one_picture(limits.one_picture) {
     if (shades_water_by_pixel(view, first))
         water_block.emplace(plan, fixed, kind, limits.pixels_alike);
+    if (view.look.cover != LandCover::bare) {
+        const WordOrReal& snow = view.look.snow_line;
+        shading.cover(rolled(
+            land_cover(first_ground(), snow.is_word() ? std::nullopt : std::optional(snow.value)),
+            origin.east, origin.north));
+    }
     if (plain && view.look.survey_edge == SurveyEdge::fade)
         shading.pale(plain->invented_share(first));
     if (plain) plain->stand_in(view.camera, *first_in_plain, block);

@@ -15,6 +15,7 @@ namespace fumon {
 namespace {
 
 constexpr int invented_unit = 6;     // the water's where a bed on a table has some
+constexpr int cover_unit = 17;       // after a drape's
 constexpr int enough_texels = 1024;  // along the longer side of the shaded bed, if it is small
 // Of ground under water: to a pixel at most so many, along the longer side, and in what is seen.
 constexpr double finest_shown = 1.0;
@@ -131,6 +132,9 @@ const char* shader_of(const LookSettings& look, const Snapshot& first) {
     if (look.mode == ViewMode::figure) return "bed/shade_figure.frag.glsl";
     return draws_water(look, first) ? "bed/shade_water.frag.glsl" : "bed/shade_scenic.frag.glsl";
 }
+
+const gl::TextureLayout cover_layout{GL_RGBA8,  GL_RGBA, GL_UNSIGNED_BYTE,
+                                     GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
 
 /// 255 in the cells that get no palette place, 1 × 1 where all do.
 Field<std::uint8_t> uncoloured_texels(Colouring colour_by, const Snapshot& snapshot) {
@@ -310,6 +314,10 @@ void BedShading::pale(const Field<std::uint8_t>& invented) {
     invented_.emplace(invented.nx(), invented.ny(), layout, invented.data());
 }
 
+void BedShading::cover(const Field<CellCover>& cells) {
+    cover_.emplace(cells.nx(), cells.ny(), tiled(cover_layout, view_.look.ground), cells.data());
+}
+
 void BedShading::bind(const gl::Program& program, const glm::dvec2& texel) const {
     lighting_.bind(0);
     values_.bind(1);
@@ -321,6 +329,10 @@ void BedShading::bind(const gl::Program& program, const glm::dvec2& texel) const
     program.set("palette", 2);
     program.set("mark_map", 3);
     program.set("uncoloured_map", 4);
+    if (cover_) {
+        cover_->bind(cover_unit);
+        program.set("cover_map", cover_unit);
+    }
     program.set("pales", invented_ ? 1.0F : 0.0F);
     if (invented_) {
         invented_->bind(invented_unit);

@@ -14,6 +14,7 @@
 #include "render/bed/water_shading.h"
 #include "render/colour/colouring.h"
 #include "render/colour/pixel_format.h"
+#include "render/land/land_cover.h"
 #include "render/light/light.h"
 #include "render/light/repeated_light.h"
 #include "render/samples/block_rasteriser.h"
@@ -40,6 +41,9 @@ class BedShading {
 
     /// Lets ground of endless maps pale to grey as far as it is invented, 0 … 255.
     void pale(const Field<std::uint8_t>& invented);
+
+    /// Gives the ground of the maps what covers it, where look.cover asks for that.
+    void cover(const Field<CellCover>& cells);
 
     /// Uploads what light (see lighting_texels) and colouring make of a snapshot. `water` is given
     /// where draws_water says so.
@@ -107,6 +111,7 @@ class BedShading {
     gl::Texture2D marks_;
     gl::Texture2D uncoloured_;
     std::optional<gl::Texture2D> invented_;  ///< see pale()
+    std::optional<gl::Texture2D> cover_;     ///< see cover()
     std::optional<gl::RenderTarget> noise_;  // of the ground's colour; none for a figure
     std::optional<WaterShading> water_;
     std::optional<DrapeTexture> drape_;

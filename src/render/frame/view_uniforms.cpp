@@ -134,6 +134,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
         {"varied", switched(tiles_are_warped(view, !block.tiles.plain))},
         {"clouds", cloud_number(view, light)},
         {"rock", static_cast<float>(block.rock)},
+        {"covered", switched(view.look.cover != LandCover::bare)},
         {"draped", switched(view.laid() != nullptr)},
         {"drape_as_it_is", switched(view.look.drape_light == DrapeLight::as_it_is)},
         {"streamers", switched(view.streamers.strength > 0.0)}};

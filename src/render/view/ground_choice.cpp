@@ -35,8 +35,20 @@ void check_background(const View& view, const Snapshot& first) {
     }
 }
 
+void check_cover(const View& view, const Snapshot& first) {
+    if (view.look.cover == LandCover::bare) {
+        if (view.look.snow_line.is_word()) return;
+        throw KeyError("look.snow_line", "belongs to look.cover = \"auto\"");
+    }
+    const bool land = first.landform == Landform::terrain || first.landform == Landform::water;
+    if (!land || first.bed.ny() < 2)
+        throw KeyError("look.cover",
+                       "\"auto\" covers terrain, dry or under water; this bed takes \"bare\"");
+}
+
 View with_chosen_ground(View view, const Snapshot& first) {
     check_background(view, first);
+    check_cover(view, first);
     if (!is_endless(view, first)) {
         view.look.ground = Ground::table;
         return view;

@@ -16,6 +16,9 @@ bool is_endless(const View& view, const Snapshot& first);
 /// Throws InputError where a look whose background is transparent has one that cannot be.
 void check_background(const View& view, const Snapshot& first);
 
+/// Throws KeyError where a cover of land, or its snow, is asked for where there is none.
+void check_cover(const View& view, const Snapshot& first);
+
 /// The view with look.ground chosen: where it is "auto", endless for what can be. Throws InputError
 /// where it is endless for what cannot be, and as check_background.
 View with_chosen_ground(View view, const Snapshot& first);

@@ -167,6 +167,18 @@ void list_ground_keys(LookSettings& look, KeyTable& table) {
     table.real("look.ripples", look.ripples,
                {.range = {0, 1},
                 .help = "steepness of the wind ripples, too fine for the grid, on endless ground"});
+    table.choice(
+        "look.cover", look.cover,
+        {{LandCover::bare, "bare", "earth and rock"},
+         {LandCover::automatic, "auto",
+          "by rule, as a look and not as data: rock where land is steep, grass where it is "
+          "wet or faces north, soil, and snow above look.snow_line"}},
+        {.help = "what covers terrain, with any model of it, in natural colours"});
+    table.word_or_real("look.snow_line", look.snow_line, {{"none", "no snow"}},
+                       {.unit = "m",
+                        .range = {-1e4, 1e4},
+                        .help = "height above which look.cover = \"auto\" lays snow, in the bed's "
+                                "heights"});
     table.real(
         "look.plants", look.plants,
         {.range = {0, 1},

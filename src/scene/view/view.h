@@ -82,6 +82,7 @@ enum class RockSurface { weathered, pavement };
 enum class Ground { automatic, table, endless };
 enum class FarGround { varied, alike };
 enum class Background { surroundings, transparent };
+enum class LandCover { bare, automatic };
 enum class SurveyEdge { none, line, fade };
 enum class SkyModel { automatic, automatic_0_2, two_colours, atmosphere, overcast };
 enum class Tone { automatic, automatic_0_2, filmic, agx, agx_punchy, neutral };
@@ -117,6 +118,8 @@ struct LookSettings {
     bool block_sides = true;
     BlockSides sides = BlockSides::plain;
     bool strata = false;  ///< layers and stones below the grid, on surfaces of real terrain
+    LandCover cover = LandCover::bare;
+    WordOrReal snow_line{"none", 0.0};  ///< of a cover by rule, in the bed's heights, metres
     SandKind sand = SandKind::quartz;
     double grain = 0.5;  ///< visible texture of the sand, 0 … 1
     PileSurface pile = PileSurface::smooth;

@@ -53,5 +53,17 @@ TEST(GroundChoice, IsWhatASceneAsksFor) {
     EXPECT_THROW(chosen(view, profile), InputError);
 }
 
+TEST(GroundChoice, RefusesACoverWhereThereIsNoLand) {
+    View view;
+    view.look.cover = LandCover::automatic;
+    EXPECT_THROW(with_chosen_ground(view, periodic_bed()), KeyError) << "sand";
+    Snapshot land = periodic_bed();
+    land.landform = Landform::terrain;
+    EXPECT_NO_THROW(with_chosen_ground(view, land));
+    view.look.cover = LandCover::bare;
+    view.look.snow_line = 100.0;
+    EXPECT_THROW(with_chosen_ground(view, land), KeyError) << "snow without a cover";
+}
+
 }  // namespace
 }  // namespace fumon
