@@ -85,6 +85,7 @@ Image Renderer::render(const Snapshot& snapshot) {
     prepare_sky(picture);
     prepare(picture);
     state_->uploaded.reset();  // no later picture is of this snapshot
+    if (state_->plain) on_land_ = picture.pose.camera;
     return draw(picture);
 }
 

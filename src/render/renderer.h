@@ -88,6 +88,9 @@ class Renderer {
     /// Keeps the colours of the first picture whose values differ for all later ones, unless
     /// look.range is "frame".
     void keep_colours();
+    /// The camera of the last picture of a snapshot on endless ground of a bed that ends: where it
+    /// stands or looks beside the bed, its heights are those of the land there. None elsewhere.
+    [[nodiscard]] const std::optional<Camera>& camera_on_land() const { return on_land_; }
     /// The colours of the last picture.
     [[nodiscard]] const FrameColourRange& frame_colour_range() const;
 
@@ -108,6 +111,7 @@ class Renderer {
     [[nodiscard]] AccumulatedLight gather_light(const Tile& tile, const ReadyPicture& picture);
 
     std::unique_ptr<RendererState> state_;
+    std::optional<Camera> on_land_;
 };
 
 }  // namespace fumon

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -57,6 +58,9 @@ class BedPainter : public FramePainter {
     void keep_colours() override {
         if (pictures_) pictures_->keep_colours();
         if (layers_) layers_->keep_colours();
+    }
+    [[nodiscard]] std::optional<Camera> camera_on_land() const override {
+        return any().camera_on_land();
     }
     [[nodiscard]] FrameColourRange frame_colour_range() const override {
         return any().frame_colour_range();
@@ -115,7 +119,9 @@ class OverlayPainter : public FramePainter {
         if (one_picture_) pixels_under_ = hex(pixel_hash(image));
         const std::vector<std::uint8_t> before =
             image.rgb16.empty() ? std::vector<std::uint8_t>{} : image.rgb;
-        overlays_.draw(image, {snapshot, rows, under_->frame_colour_range()});
+        const std::optional<Camera> camera = under_->camera_on_land();
+        overlays_.draw(image,
+                       {snapshot, rows, under_->frame_colour_range(), camera ? &*camera : nullptr});
         // Overlays are of 8 bits.
         for (std::size_t i = 0; i < image.rgb16.size(); ++i) {
             if (image.rgb[i] != before[i])

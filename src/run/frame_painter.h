@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/image.h"
@@ -9,6 +10,7 @@
 #include "measure/measured_rows.h"
 #include "picture/environment.h"
 #include "render/colour/colouring.h"
+#include "render/view/camera.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -42,6 +44,8 @@ class FramePainter {
     virtual LayeredImage paint_layers(const Snapshot& snapshot) = 0;
     /// Before the first of a run's frames: see Renderer::keep_colours().
     virtual void keep_colours() {}
+    /// See Renderer::camera_on_land().
+    [[nodiscard]] virtual std::optional<Camera> camera_on_land() const { return {}; }
     /// The colours of the last frame, where it has one palette.
     [[nodiscard]] virtual FrameColourRange frame_colour_range() const { return {}; }
     [[nodiscard]] virtual DrawingRecord record() const = 0;
