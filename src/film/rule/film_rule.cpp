@@ -249,7 +249,7 @@ class RuledFilm {
         } else {
             around(whole, azimuth - 12.0, high, 16.0);
         }
-        stand(whole, 16.0, 2.3);
+        stand(whole, 16.0, 2.4);
         shots_.push_back(composed(whole, high));
 
         WrittenShot growth = begun(!moves               ? "and from its side"
@@ -306,6 +306,8 @@ class RuledFilm {
         const WrittenShot at_end = composed(shot_from("\"end\""), low);
         if (ground_of(at_end).value_or(0.0) >= enough_ground) return at_end;
         WrittenShot whole = shot_from("\"end\"");  // it takes most of its block
+        whole.comment = "from near";
+        std::erase_if(whole.keys, [](const auto& key) { return key.first == "subject"; });
         whole.set("distance", "\"fill\"");
         return composed(whole, low);
     }
