@@ -48,8 +48,9 @@ const SmallRun small_runs[] = {
      "[model]\nname = \"sandpile\"\ngrains_per_step = 60\n[grid]\nnx = 40\nny = 40\n[run]\nsteps = "
      "60\n[look]\nlight = \"studio\"\nroom = 30\n"},
     {"gully",
-     "[model]\nname = \"gully\"\ninitial_water = \"dry\"\nrain = 80\n[grid]\nnx = 48\nny = 36\n"
-     "[bed]\nkind = \"ramp\"\nheight = 6\n[run]\nsteps = 40\n"},
+     "[model]\nname = \"gully\"\ninitial_water = \"dry\"\nrain = 60\n[bed]\nfile = "
+     "\"" FUMON_TEST_FOLDER
+     "/../assets/terrain/west_bijou_gully.asc\"\nnodata = \"fill\"\n[run]\nsteps = 20\n"},
 };
 
 class FilmByRule : public ::testing::TestWithParam<SmallRun> {

@@ -103,7 +103,7 @@ class ShotPoses {
   private:
     /// What a camera looks at, `otherwise` where none is named, and how broad it is, where it has a
     /// name.
-    [[nodiscard]] glm::dvec3 place_of(const Place& place, const glm::dvec3& otherwise,
+    [[nodiscard]] glm::dvec3 place_of(const ViewTarget& place, const glm::dvec3& otherwise,
                                       double& breadth) const {
         if (place.word.empty() && place.at.empty()) return otherwise;
         if (place.word.empty()) return place_on_stage(stage_, place.at, bed_);

@@ -216,6 +216,7 @@ class RuledFilm {
 
     /// Steeper and nearer until the bed fills the picture.
     [[nodiscard]] WrittenShot composed(const WrittenShot& shot, double elevation) const {
+        if (look_.section) return shot;
         WrittenShot best = shot;
         double most = -1.0;
         for (const double steeper : {0.0, 8.0, 16.0, 26.0}) {
@@ -236,8 +237,8 @@ class RuledFilm {
         const std::string late = moves ? fmt::format("\"{} %\"", look_.late) : "\"end\"";
         const std::string start = moves ? "\"start\"" : "\"end\"";
         const double azimuth = look_.camera_azimuth;
-        const double high = look_.endless ? 24.0 : 34.0;
-        const double low = look_.endless ? 11.0 : 30.0;
+        const double high = look_.section ? 18.0 : look_.endless ? 24.0 : 34.0;
+        const double low = look_.section ? 14.0 : look_.endless ? 11.0 : 30.0;
 
         WrittenShot whole =
             begun(moves ? "the whole, as it begins" : "the whole", 0.26, start, early);
@@ -271,7 +272,8 @@ class RuledFilm {
 
         WrittenShot last =
             begun("time stands still, the camera goes round", 0.24, "\"end\"", "\"end\"");
-        around(last, azimuth - 35.0, high - 2.0, 75.0);
+        around(last, azimuth - (look_.section ? 20.0 : 35.0), high - 2.0,
+               look_.section ? 40.0 : 75.0);
         stand(last, 13.0, 1.8);
         last.set("hold", std::min(0.5, 0.03 * seconds_), 2);
         shots_.push_back(composed(last, high - 2.0));
@@ -280,6 +282,12 @@ class RuledFilm {
     /// What is largest: followed where it wanders and can be, else as it is at the end.
     [[nodiscard]] WrittenShot close_shot(const std::string& from) const {
         const double low = look_.endless ? 14.0 : 30.0;
+        if (look_.section) {
+            WrittenShot near = begun("from near", 0.2, "\"end\"", "\"end\"");
+            around(near, look_.camera_azimuth - 15.0, 12.0, 20.0);
+            near.set("distance", 1.0, 1);
+            return near;
+        }
         const auto shot_from = [&](const std::string& begin) {
             WrittenShot shot =
                 begun(fmt::format("close to the {}", look_.largest), 0.2, begin, "\"end\"");

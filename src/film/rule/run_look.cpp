@@ -151,11 +151,13 @@ void find_light(const StoredBeds& beds, const Snapshot& last, RunLook& look) {
     if (blown) {
         look.sun_azimuth = std::fmod(azimuth_of(-east, -north) + past_the_wind, 360.0);
         look.camera_azimuth = std::fmod(look.sun_azimuth - wind_camera_azimuth + 360.0, 360.0);
-    } else if (!look.endless && tilt > 0.1 * slopes.relief) {
+    } else if (!look.endless && !look.section && tilt > 0.1 * slopes.relief) {
         // On the low side, a little beside the middle of an edge: blocks fill the picture then.
         constexpr double beside = 20.0;
         const double down = azimuth_of(-slopes.mean_east, -slopes.mean_north);
         look.camera_azimuth = std::fmod(90.0 * std::round(down / 90.0) + beside, 360.0);
+    } else if (look.section) {
+        look.camera_azimuth = 190.0;
     } else if (!look.endless) {
         look.camera_azimuth = 200.0;
     }

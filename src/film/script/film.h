@@ -74,7 +74,7 @@ struct FilmSettings {
 };
 
 /// What a camera looks at.
-struct Place {
+struct ViewTarget {
     std::string word;        ///< what is there ("highest"); empty: `at` counts
     std::vector<double> at;  ///< as camera.look_at; empty: none is named
     [[nodiscard]] bool is_named() const { return !word.empty() || !at.empty(); }
@@ -83,7 +83,7 @@ struct Place {
 /// A place of the camera on its way.
 struct ShotKey {
     std::vector<double> at;  ///< as camera.at; empty: as azimuth, elevation and distance say
-    Place look_at;           ///< none: the shot's subject
+    ViewTarget look_at;      ///< none: the shot's subject
     WordOrReal azimuth{"shot", 0.0};
     WordOrReal elevation{"shot", 0.0};
     WordOrReal distance{"shot", 0.0};
@@ -109,7 +109,7 @@ struct Shot {
     WordOrReal sun_azimuth{"scene", 0.0};
     WordOrReal sun_elevation{"scene", 0.0};
     WordOrReal exposure{"scene", 0.0};        ///< stops
-    Place subject;                            ///< none: the bed's middle
+    ViewTarget subject;                       ///< none: the bed's middle
     bool follow = false;                      ///< whether the camera goes with the subject
     double turn = 360.0;                      ///< degrees of an orbit
     std::int64_t dune = 1;                    ///< that is followed: 1 is the largest
