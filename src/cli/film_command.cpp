@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -14,6 +15,7 @@
 #include "film/film_read.h"
 #include "film/frame_sequence.h"
 #include "film/make_film.h"
+#include "film/rule/film_rule.h"
 #include "outputs/output_claims.h"
 #include "run/drawing.h"
 #include "run/terminal/interrupt.h"
@@ -30,6 +32,9 @@ struct FilmOptions {
     std::string output;             ///< empty: by the film's name, here
     std::vector<std::string> formats;
     std::string most_bytes;
+    std::string style = "talk";  ///< of a film by rule
+    double seconds = 0.0;        ///< likewise; 0: by its style
+    bool print = false;
     bool draft = false;
     bool resume = false;
     bool force = false;
@@ -45,12 +50,22 @@ void declare(CLI::App& command, FilmOptions& options) {
         ->required();
     command.add_option(
         "FILM", options.film,
-        "last: a film file (TOML), the name of one that fumon ships, or an MP4 or PNG of a film");
+        "last: a film file (TOML), the name of one that fumon ships, or an MP4 or PNG of a film; "
+        "without it the film is made by rule");
     command
         .add_option("-o,--output", options.output,
                     "the file; its ending says the format, and NAME_%05d.png makes one picture of "
                     "each frame (default: FILM.mp4 here)")
         ->type_name("FILE");
+    command.add_option("--style", options.style, "of a film by rule: " + film_style_names())
+        ->type_name("NAME");
+    command
+        .add_option("--seconds", options.seconds,
+                    "of a film by rule, its length (default: 12 to 18, by its style)")
+        ->type_name("S");
+    command.add_flag("--print", options.print,
+                     "print the film file of a film by rule, as the start of your own, and draw "
+                     "nothing");
     auto* formats = command
                         .add_option("--formats", options.formats,
                                     "several files, NAME-talk.mp4 …: " + output_names())
@@ -76,7 +91,9 @@ void declare(CLI::App& command, FilmOptions& options) {
     add_drawing_options(command, options.work);
     add_examples(
         command,
-        {{"fumon film out/run barchans -o film.mp4", "a film that fumon ships, of a run of yours"},
+        {{"fumon film out/run -o film.mp4", "a film by rule, of any run"},
+         {"fumon film out/run --print > mine.toml", "its film file, to change"},
+         {"fumon film out/run barchans -o film.mp4", "a film that fumon ships, of a run of yours"},
          {"fumon film out/run film.toml --draft", "small and quick"},
          {"fumon film out/wet out/dry film.toml", "two runs side by side, in step"},
          {"fumon film out/one out/two trailer.toml",
@@ -91,26 +108,66 @@ struct Arguments {
     std::string film;
 };
 
-/// CLI11 gives all of them to the runs; the last one is the film.
+/// CLI11 gives all of them to the runs; the last one is the film, unless it is a run itself.
 Arguments arguments_of(const FilmOptions& options) {
     Arguments arguments{options.runs, options.film};
-    if (!arguments.film.empty()) return arguments;
-    if (arguments.runs.size() < 2)
-        throw InputError("fumon film: FILM is missing; try `fumon film --help`");
+    if (!arguments.film.empty() || arguments.runs.size() < 2) return arguments;
+    if (is_run_folder(arguments.runs.back())) return arguments;
     arguments.film = arguments.runs.back();
     arguments.runs.pop_back();
     return arguments;
 }
 
+/// What a film is read from, and its runs.
+struct FilmToMake {
+    FilmText text;
+    Film film;
+    fs::path usual;  ///< its file where none is named
+    fs::path source{};
+    FilmRuns runs;
+};
+
+FilmToMake film_by_file(const FilmOptions& options, const Arguments& arguments) {
+    if (options.print || options.seconds != 0.0 || options.style != "talk") {
+        throw InputError(
+            fmt::format("{}: --print, --style and --seconds are for a film by rule; leave out FILM",
+                        arguments.film));
+    }
+    const fs::path file = film_file(arguments.film);
+    FilmText text = film_text(file);
+    const bool again = small_ending(file) != ".toml";
+    Film film = parse_film(text.text, file.string(), options.work.settings, !again);
+    const RunArrangement showing = arrangement_of(film);
+    fs::path usual = file.stem().string() + (again ? "-again" : "");
+    return {std::move(text), std::move(film), std::move(usual), file,
+            FilmRuns(arguments.runs, options.work.threads, showing)};
+}
+
+/// Of runs without a film: one that is made by rule, as a film file.
+FilmToMake film_without_file(const FilmOptions& options, const Arguments& arguments) {
+    const FilmRule rule{film_style(options.style), options.seconds};
+    FilmRuns runs(arguments.runs, options.work.threads);
+    FilmText text{film_by_rule(runs, rule, fs::path(arguments.runs.front()).string()),
+                  "fumon film RUN"};
+    if (options.style != "talk") text.remake += " --style " + options.style;
+    if (options.seconds != 0.0) text.remake += fmt::format(" --seconds {}", options.seconds);
+    Film film = parse_film(text.text, "film by rule", options.work.settings);
+    fs::path usual = (fs::path(arguments.runs.front()) / "").parent_path().filename();
+    return {std::move(text), std::move(film), std::move(usual), {}, std::move(runs)};
+}
+
 int perform(const FilmOptions& options) {
     const InterruptGuard guard;
     const Arguments arguments = arguments_of(options);
-    const fs::path file = film_file(arguments.film);
-    const FilmText text = film_text(file);
-    const bool again = small_ending(file) != ".toml";
-    const Film film = parse_film(text.text, file.string(), options.work.settings, !again);
-    const fs::path usual =
-        file.stem().string() + (again ? "-again" : "") + ending_of(film.settings.format);
+    const FilmToMake made_of = arguments.film.empty() ? film_without_file(options, arguments)
+                                                      : film_by_file(options, arguments);
+    if (options.print) {
+        fmt::print("{}", made_of.text.text);
+        return 0;
+    }
+    const Film& film = made_of.film;
+    const FilmRuns& runs = made_of.runs;
+    const fs::path usual = made_of.usual.string() + ending_of(film.settings.format);
     const fs::path named = options.output.empty() ? usual : fs::path(options.output);
     std::vector<FilmOutput> outputs =
         options.draft
@@ -119,14 +176,13 @@ int perform(const FilmOptions& options) {
                            options.most_bytes.empty() ? 0 : bytes_of_size(options.most_bytes));
     for (FilmOutput& output : outputs) output.goes_on = options.resume;
     prepare_drawing(options.work);
-    const FilmRuns runs(arguments.runs, options.work.threads, arrangement_of(film));
     OutputClaims claims(options.force);
-    claims.reads(file);
+    if (!made_of.source.empty()) claims.reads(made_of.source);
     claims.reads(runs.files());
     for (const FilmOutput& output : outputs) claim_film(claims, output);
     StatusLine status(options.work.verbosity);
     for (const FilmOutput& output : outputs) {
-        const MadeFilm made = make_film(output, runs, text.remake, options.work, status);
+        const MadeFilm made = make_film(output, runs, made_of.text.remake, options.work, status);
         if (made.signal != 0) return exit_status_of_signal(made.signal);
         const FilmSize size = film_size(output.film);
         const auto say = [&](const fs::path& written, std::int64_t frames, std::int64_t width,

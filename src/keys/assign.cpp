@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <string_view>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -26,6 +28,11 @@ std::vector<std::string> plain(const std::vector<KeyWord>& words) {
     all.reserve(words.size());
     for (const KeyWord& known : words) all.emplace_back(known.word);
     return all;
+}
+
+/// Whether a key takes a text as one of its words.
+bool is_word_of(const std::vector<KeyWord>& words, std::string_view text) {
+    return std::ranges::any_of(words, [&](const KeyWord& known) { return known.word == text; });
 }
 
 std::string number_text(const char* kind, const KeyNotes& notes) {
@@ -136,23 +143,28 @@ struct Assign {
     }
     void operator()(const WordOrRealTarget& target) const {
         if (const auto* text = value.as_string()) {
-            for (const KeyWord& word : target.words) {
-                if (word.word == text->get()) {
-                    *target.value = {text->get(), 0.0};
-                    return;
-                }
-            }
-            refuse(key, value, locate);
+            const bool is_form = std::ranges::any_of(
+                target.forms, [&](const WordForm& form) { return form.matches(text->get()); });
+            if (!is_form && !is_word_of(target.words, text->get())) refuse(key, value, locate);
+            *target.value = {text->get(), 0.0};
+            return;
         }
         *target.value = {"", checked_real(key, value, locate)};
     }
     void operator()(const RealListTarget& target) const {
+        if (const auto* text = value.as_string(); text != nullptr && target.word != nullptr) {
+            if (!is_word_of(target.words, text->get())) refuse(key, value, locate);
+            *target.word = text->get();
+            target.values->clear();
+            return;
+        }
         std::vector<double> reals;
         for (const toml::node* item : items_of(value))
             reals.push_back(checked_real(key, *item, locate));
         if (reals.size() < target.smallest || reals.size() > target.largest)
             refuse(key, value, locate);
         *target.values = reals;
+        if (target.word != nullptr) target.word->clear();
     }
     void operator()(const IntegerListTarget& target) const {
         std::vector<std::int64_t> wholes;
@@ -196,7 +208,10 @@ std::string accepted_values(const Key& key) {
             return fmt::format("one of {}", fmt::join(quoted(target.words), ", "));
         }
         std::string operator()(const WordOrRealTarget& target) const {
-            return fmt::format("{} or {}", fmt::join(quoted(target.words), ", "),
+            std::vector<std::string> words = quoted(target.words);
+            for (const WordForm& form : target.forms)
+                words.push_back(fmt::format("\"{}\"", form.example));
+            return fmt::format("{} or {}", fmt::join(words, ", "),
                                number_text("a number", key.notes));
         }
         std::string operator()(const RealListTarget& target) const {
@@ -204,7 +219,10 @@ std::string accepted_values(const Key& key) {
                 target.smallest == target.largest
                     ? fmt::format("{}", target.largest)
                     : fmt::format("{} to {}", target.smallest, target.largest);
-            return number_text(fmt::format("a list of {} numbers", count).c_str(), key.notes);
+            const std::string list =
+                number_text(fmt::format("a list of {} numbers", count).c_str(), key.notes);
+            if (target.words.empty()) return list;
+            return fmt::format("{} or {}", fmt::join(quoted(target.words), ", "), list);
         }
         std::string operator()(const IntegerListTarget&) const {
             return number_text("a list of whole numbers", key.notes);

@@ -27,7 +27,9 @@ std::string type_text(const Key& key) {
         std::string operator()(const std::string*) const { return "text"; }
         std::string operator()(const ChoiceTarget&) const { return "choice"; }
         std::string operator()(const WordOrRealTarget&) const { return "word or number"; }
-        std::string operator()(const RealListTarget&) const { return "list of numbers"; }
+        std::string operator()(const RealListTarget& target) const {
+            return target.words.empty() ? "list of numbers" : "word or list of numbers";
+        }
         std::string operator()(const IntegerListTarget&) const { return "list of whole numbers"; }
         std::string operator()(const TextListTarget&) const { return "list of texts"; }
     };
@@ -45,7 +47,14 @@ const std::vector<KeyWord>& words_of(const Key& key) {
     static const std::vector<KeyWord> none;
     if (const auto* choice = std::get_if<ChoiceTarget>(&key.target)) return choice->words;
     if (const auto* either = std::get_if<WordOrRealTarget>(&key.target)) return either->words;
+    if (const auto* list = std::get_if<RealListTarget>(&key.target)) return list->words;
     return none;
+}
+
+const std::vector<WordForm>& forms_of(const Key& key) {
+    static const std::vector<WordForm> none;
+    const auto* either = std::get_if<WordOrRealTarget>(&key.target);
+    return either == nullptr ? none : either->forms;
 }
 
 }  // namespace
@@ -60,6 +69,8 @@ std::string describe_key(const Key& key) {
                                    facts, standard, role_name(key.role), key.notes.help);
     for (const KeyWord& known : words_of(key))
         text += fmt::format("        {:<18} {}\n", known.word, known.help);
+    for (const WordForm& form : forms_of(key))
+        text += fmt::format("        {:<18} {}\n", form.example, form.help);
     return text;
 }
 
@@ -79,6 +90,8 @@ nlohmann::ordered_json key_json(const Key& key) {
     Json words = Json::array();
     for (const KeyWord& known : words_of(key))
         words.push_back({{"name", known.word}, {"help", known.help}});
+    for (const WordForm& form : forms_of(key))
+        words.push_back({{"example", form.example}, {"help", form.help}});
     if (!words.empty()) json["values"] = words;
     json["role"] = role_name(key.role);
     json["help"] = key.notes.help;

@@ -43,6 +43,7 @@ struct ValueText {
                                        : real_text(target.value->value);
     }
     std::string operator()(const RealListTarget& target) const {
+        if (target.word != nullptr && !target.word->empty()) return string_text(*target.word);
         std::vector<std::string> items;
         for (const double value : *target.values) items.push_back(real_text(value));
         return fmt::format("[{}]", fmt::join(items, ", "));
@@ -70,6 +71,11 @@ struct CopyValue {
     }
     void operator()(const WordOrRealTarget& target) const {
         *target.value = *std::get<WordOrRealTarget>(from).value;
+    }
+    void operator()(const RealListTarget& target) const {
+        const auto& other = std::get<RealListTarget>(from);
+        *target.values = *other.values;
+        if (target.word != nullptr) *target.word = *other.word;
     }
     template <class ListTarget>
     void operator()(const ListTarget& target) const {

@@ -82,13 +82,21 @@ void KeyTable::text(std::string path, std::string& value, KeyNotes notes) {
 }
 
 void KeyTable::word_or_real(std::string path, WordOrReal& value, std::vector<KeyWord> words,
-                            KeyNotes notes) {
-    add(std::move(path), std::move(notes), WordOrRealTarget{&value, std::move(words)});
+                            KeyNotes notes, std::vector<WordForm> forms) {
+    add(std::move(path), std::move(notes),
+        WordOrRealTarget{&value, std::move(words), std::move(forms)});
 }
 
 void KeyTable::real_list(std::string path, std::vector<double>& values, std::size_t smallest,
                          std::size_t largest, KeyNotes notes) {
     add(std::move(path), std::move(notes), RealListTarget{&values, smallest, largest});
+}
+
+void KeyTable::word_or_list(std::string path, std::string& word, std::vector<double>& values,
+                            std::size_t smallest, std::size_t largest, std::vector<KeyWord> words,
+                            KeyNotes notes) {
+    add(std::move(path), std::move(notes),
+        RealListTarget{&values, smallest, largest, &word, std::move(words)});
 }
 
 void KeyTable::integer_list(std::string path, std::vector<std::int64_t>& values, KeyNotes notes) {

@@ -77,16 +77,26 @@ struct ChoiceTarget {
     [[nodiscard]] bool choose(std::string_view word) const;
 };
 
+/// Words of one form that a key takes besides those with a name: "40 %".
+struct WordForm {
+    std::string_view example;
+    std::string_view help;
+    bool (*matches)(std::string_view);
+};
+
 struct WordOrRealTarget {
     WordOrReal* value;
     std::vector<KeyWord> words;
+    std::vector<WordForm> forms{};
 };
 
-/// Reals, `smallest` to `largest` of them.
+/// Reals, `smallest` to `largest` of them; or one of a few words in their place.
 struct RealListTarget {
     std::vector<double>* values;
     std::size_t smallest;
     std::size_t largest;
+    std::string* word = nullptr;  ///< none: no words are taken; empty: `values` count
+    std::vector<KeyWord> words{};
 };
 
 struct IntegerListTarget {
@@ -138,9 +148,12 @@ class KeyTable {
     void real(std::string path, double& value, KeyNotes notes);
     void text(std::string path, std::string& value, KeyNotes notes);
     void word_or_real(std::string path, WordOrReal& value, std::vector<KeyWord> words,
-                      KeyNotes notes);
+                      KeyNotes notes, std::vector<WordForm> forms = {});
     void real_list(std::string path, std::vector<double>& values, std::size_t smallest,
                    std::size_t largest, KeyNotes notes);
+    void word_or_list(std::string path, std::string& word, std::vector<double>& values,
+                      std::size_t smallest, std::size_t largest, std::vector<KeyWord> words,
+                      KeyNotes notes);
     void text_list(std::string path, std::vector<std::string>& values, KeyNotes notes);
     void integer_list(std::string path, std::vector<std::int64_t>& values, KeyNotes notes);
 

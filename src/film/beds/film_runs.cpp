@@ -66,6 +66,12 @@ std::string value_words(const Scene& scene, const std::string& key) {
 
 }  // namespace
 
+bool is_run_folder(const fs::path& path) {
+    std::error_code fault;
+    return fs::is_regular_file(path / "run.json", fault) ||
+           fs::is_regular_file(path / "sweep.json", fault);
+}
+
 RunArrangement arrangement_of(const Film& film) {
     return film.excerpts.empty() ? RunArrangement::together : RunArrangement::in_turn;
 }

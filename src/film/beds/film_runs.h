@@ -17,6 +17,9 @@ namespace fumon {
 inline constexpr std::size_t most_panes = 9;
 inline constexpr int most_pane_columns = 3;
 
+/// Whether a path is what FilmRuns takes: the folder of a run or of a sweep.
+bool is_run_folder(const std::filesystem::path& path);
+
 /// How a film shows its runs.
 enum class RunArrangement { together, in_turn };
 

@@ -7,7 +7,9 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
+#include "files/unit_conversion.h"
 #include "film/camera/camera_path.h"
+#include "film/script/moment.h"
 
 namespace fumon {
 
@@ -65,23 +67,79 @@ double visible_change(const Snapshot& one, const Snapshot& other) {
     return sum / static_cast<double>(count);
 }
 
+namespace {
+
+/// Of a shot's clock, what all stored beds have and where a moment lies among them.
+class ClockValues {
+  public:
+    ClockValues(const Film& film, std::size_t number, const StoredBeds& beds)
+        : film_(film), number_(number), clock_(film.shots[number].clock), beds_(beds) {
+        for (const StoredBed& bed : beds.beds()) {
+            values_.push_back(value_of(bed, clock_));
+            times_.push_back(bed.time);
+        }
+    }
+
+    [[nodiscard]] const std::vector<double>& all() const { return values_; }
+
+    /// Throws InputError, located, where it is not among them.
+    [[nodiscard]] double of(const WordOrReal& end, const char* name) const {
+        const bool steps = clock_ == FilmClock::step;
+        if (!end.is_word()) {
+            check(end.value, values_, name, fmt::format("{}", end.value),
+                  steps ? "steps" : "times");
+            return end.value;
+        }
+        if (end.word == "start") return values_.front();
+        if (end.word == "end") return values_.back();
+        const auto moment = written_moment(end.word);
+        if (!moment) return values_.back();
+        if (moment->unit == "%") {
+            const double share = moment->number / 100.0;
+            return (1.0 - share) * values_.front() + share * values_.back();
+        }
+        const std::string& unit = beds_.first().time_unit;
+        const auto conversion = unit_conversion(moment->unit, unit);
+        if (!conversion) {
+            throw InputError(fmt::format(
+                "{} = \"{}\": the run counts its time in {}; name a step, or a share (\"40 %\")",
+                located(name), end.word, unit));
+        }
+        const double time = (*conversion)(moment->number);
+        check(time, times_, name, fmt::format("\"{}\"", end.word), "times in " + unit);
+        return steps ? place_of(time, times_, values_) : time;
+    }
+
+  private:
+    [[nodiscard]] std::string located(const char* name) const {
+        const std::string key = fmt::format("shot.{}.{}", number_, name);
+        return film_.at(key) + key;
+    }
+
+    void check(double value, const std::vector<double>& among, const char* name,
+               const std::string& written, const std::string& what) const {
+        const double room = 1e-9 * std::max(1.0, among.back());
+        if (value >= among.front() - room && value <= among.back() + room) return;
+        throw InputError(fmt::format("{} = {}: the stored beds have {} {} to {}", located(name),
+                                     written, what, among.front(), among.back()));
+    }
+
+    const Film& film_;
+    std::size_t number_;
+    FilmClock clock_;
+    const StoredBeds& beds_;
+    std::vector<double> values_;
+    std::vector<double> times_;
+};
+
+}  // namespace
+
 BedClock::BedClock(const Film& film, std::size_t number, const StoredBeds& beds) {
     const Shot& shot = film.shots[number];
-    std::vector<double> values;
-    for (const StoredBed& bed : beds.beds()) values.push_back(value_of(bed, shot.clock));
-    const auto end_of = [&](const WordOrReal& end, const char* name) {
-        if (end.is_word()) return end.word == "start" ? values.front() : values.back();
-        const double room = 1e-9 * std::max(1.0, values.back());
-        if (end.value < values.front() - room || end.value > values.back() + room) {
-            const std::string key = fmt::format("shot.{}.{}", number, name);
-            throw InputError(fmt::format(
-                "{}{} = {}: the stored beds have {} {} to {}", film.at(key), key, end.value,
-                shot.clock == FilmClock::step ? "steps" : "times", values.front(), values.back()));
-        }
-        return end.value;
-    };
-    const double from = end_of(shot.from, "from");
-    const double to = end_of(shot.to, "to");
+    const ClockValues clock(film, number, beds);
+    const std::vector<double>& values = clock.all();
+    const double from = clock.of(shot.from, "from");
+    const double to = clock.of(shot.to, "to");
     places_ = values;
     if (shot.pace == Pace::logarithmic) {
         // From 1 on, the first steps of a run that starts at 0 included.

@@ -11,6 +11,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
+#include "film/camera/landmarks.h"
 #include "measure/bed/dunes.h"
 #include "measure/network/flow_routing.h"
 
@@ -190,6 +191,32 @@ FollowedDune followed_dune(const Film& film, std::size_t shot, const FilmStage& 
     for (int i = 0; i < count; ++i)
         followed.places.push_back(
             smoothed(places, count > 1 ? static_cast<double>(i) / (count - 1) : 0.0));
+    return followed;
+}
+
+FollowedDune followed_subject(const Film& film, std::size_t shot, const FilmStage& stage,
+                              const StoredBeds& beds, const BedClock& clock) {
+    const std::string& name = film.shots[shot].subject.word;
+    int count = clock.latest() > clock.earliest() ? shot_position_count : 1;
+    if (name == "largest dune") {
+        try {
+            return followed_dune(film, shot, stage, beds, clock);
+        } catch (const InputError&) {
+            count = 1;  // there is none, or it is lost: the camera stays
+        }
+    }
+    std::vector<glm::dvec3> found;
+    FollowedDune followed;
+    for (int i = 0; i < count; ++i) {
+        const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 1.0;
+        const LandmarkOnStage here =
+            landmark_on_stage(stage, name, *beds.snapshot(clock.bed_at(share)));
+        found.push_back(here.place);
+        followed.breadth = std::max(followed.breadth, here.breadth);
+    }
+    for (int i = 0; i < count; ++i)
+        followed.places.push_back(
+            smoothed(found, count > 1 ? static_cast<double>(i) / (count - 1) : 0.0));
     return followed;
 }
 

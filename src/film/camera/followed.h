@@ -23,6 +23,13 @@ struct FollowedDune {
 FollowedDune followed_dune(const Film& film, std::size_t shot, const FilmStage& stage,
                            const StoredBeds& beds, const BedClock& clock);
 
+/// The places of what the subject of a shot names, on its way through the shot: of "largest dune"
+/// those of followed_dune(), and of another landmark those that it has in some beds of the shot,
+/// smoothed likewise. One place, that of the shot's last bed, where that dune is not there at
+/// first, is lost, or leaves a bed that does not go on.
+FollowedDune followed_subject(const Film& film, std::size_t shot, const FilmStage& stage,
+                              const StoredBeds& beds, const BedClock& clock);
+
 /// The stream of a bed that drains most, from its head to where it leaves the bed, at even
 /// distances along a smoothed way, block lengths. Throws InputError, located, where it is shorter
 /// than a tenth of the bed's longer side.

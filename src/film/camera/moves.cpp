@@ -8,7 +8,9 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
+#include "film/camera/camera_distance.h"
 #include "film/camera/followed.h"
+#include "film/camera/landmarks.h"
 #include "render/view/framing.h"
 
 namespace fumon {
@@ -20,13 +22,6 @@ constexpr double key_angle_degrees = 6.0;  // degrees between the poses of a mov
 
 double chosen(const WordOrReal& value, double otherwise) {
     return value.is_word() ? otherwise : value.value;
-}
-
-/// A unit vector from what is looked at to a camera that stands there.
-glm::dvec3 towards(double azimuth, double elevation) {
-    const double c = elementary::cos(elevation * degree);
-    return {elementary::sin(azimuth * degree) * c, elementary::cos(azimuth * degree) * c,
-            elementary::sin(elevation * degree)};
 }
 
 /// The elevation of a camera before a picture higher than wide: steeper, so that the bed, which
@@ -54,10 +49,10 @@ class ShotPoses {
         const Shot& shot = shot_;
         const View& view = beds.scene().view;
         azimuth_ = chosen(shot.azimuth, view.camera.azimuth);
-        elevation_ =
-            composed(chosen(shot.elevation, std::min(view.camera.elevation, 89.0)), stage.aspect);
-        subject_ = shot.subject.empty() ? glm::dvec3(0.0, 0.0, stage.block.surface)
-                                        : place_on_stage(stage, shot.subject, bed_);
+        asked_elevation_ = chosen(shot.elevation, std::min(view.camera.elevation, 89.0));
+        elevation_ = composed(asked_elevation_, stage.aspect);
+        breadth_ = 0.25 * std::min(stage.block.width_x, stage.block.width_y);
+        subject_ = place_of(shot.subject, {0.0, 0.0, stage.block.surface}, breadth_);
         const double half_angle = 0.5 * view.camera.field_of_view * degree;
         const double usual_lens =
             view.camera.focal_length.is_word()
@@ -73,6 +68,10 @@ class ShotPoses {
     }
 
     [[nodiscard]] std::vector<CameraPose> make() const {
+        if (shot_.follow) {
+            const FollowedDune subject = followed_subject(film_, number_, stage_, beds_, clock_);
+            if (subject.places.size() > 1) return beside(subject);
+        }
         switch (shot_.move) {
             case Move::still:
                 return {standing()};
@@ -102,12 +101,43 @@ class ShotPoses {
     }
 
   private:
+    /// What a camera looks at, `otherwise` where none is named, and how broad it is, where it has a
+    /// name.
+    [[nodiscard]] glm::dvec3 place_of(const ViewTarget& place, const glm::dvec3& otherwise,
+                                      double& breadth) const {
+        if (place.word.empty() && place.at.empty()) return otherwise;
+        if (place.word.empty()) return place_on_stage(stage_, place.at, bed_);
+        if (place.word == "middle") return {0.0, 0.0, stage_.block.surface};
+        const LandmarkOnStage found =
+            landmark_on_stage(stage_, place.word, *beds_.snapshot(clock_.bed_at(1.0)));
+        breadth = found.breadth;
+        return found.place;
+    }
+
+    /// As the move stands to its subject, wherever that is.
+    [[nodiscard]] std::vector<CameraPose> beside(const FollowedDune& subject) const {
+        const auto last = static_cast<double>(subject.places.size() - 1);
+        const double away =
+            distance(shot_.distance, subject.places.front(), subject.breadth, azimuth_, elevation_);
+        std::vector<CameraPose> poses;
+        for (std::size_t i = 0; i < subject.places.size(); ++i) {
+            const double share = static_cast<double>(i) / last;
+            const double turned = shot_.move == Move::orbit ? shot_.turn * share : 0.0;
+            const double nearer = shot_.move == Move::push_in ? 1.0 - 2.0 / 3.0 * share : 1.0;
+            CameraPose pose = usual_;
+            pose.look_at = subject.places[i];
+            pose.eye = pose.look_at + away * nearer * towards(azimuth_ + turned, elevation_);
+            poses.push_back(pose);
+        }
+        return poses;
+    }
+
     /// The place that the scene itself names, unless the shot names another.
     void scenes_own_place(const View& view, const Snapshot& first) {
         const CameraSettings& camera = view.camera;
         const bool named = !camera.at.empty() || camera.framing != Framing::block;
         const bool asked = !shot_.azimuth.is_word() || !shot_.elevation.is_word() ||
-                           !shot_.distance.is_word() || !shot_.subject.empty();
+                           shot_.distance.word != "fit" || shot_.subject.is_named();
         if (!named || asked) return;
         View own = stage_.scene.view;
         own.camera.at = camera.at;
@@ -137,42 +167,52 @@ class ShotPoses {
 
     [[nodiscard]] double distance() const {
         const double turn = shot_.move == Move::orbit ? shot_.turn : 0.0;
-        double most = 0.0;
+        const bool fills = shot_.distance.word == "fill";
+        double chosen_distance = 0.0;
         const int looks = 1 + static_cast<int>(std::min(std::abs(turn), 360.0) / key_angle_degrees);
         for (int i = 0; i < looks; ++i) {
             const double turned =
                 looks > 1 ? std::copysign(std::min(std::abs(turn), 360.0), turn) * i / (looks - 1)
                           : 0.0;
-            most = std::max(most, distance(azimuth_ + turned, elevation_));
+            const double here = distance(azimuth_ + turned, elevation_);
+            const bool first = i == 0;
+            chosen_distance = first   ? here
+                              : fills ? std::min(chosen_distance, here)
+                                      : std::max(chosen_distance, here);
         }
-        return most;
+        return chosen_distance;
     }
 
-    /// As near as the whole block stays in the picture, or as the shot says.
+    /// As near as the shot says of what is looked at from there.
     [[nodiscard]] double distance(double azimuth, double elevation) const {
-        if (!shot_.distance.is_word()) return shot_.distance.value;
-        const glm::dvec3 back = towards(azimuth, elevation);
-        const glm::dvec3 right(-elementary::cos(azimuth * degree),
-                               elementary::sin(azimuth * degree), 0.0);
-        const glm::dvec3 up = glm::cross(back, right);
-        const double room = 1.0 - 2.0 * stage_.scene.view.camera.margin;
-        const double narrow = room * half_film_millimetres / usual_.focal_length;
-        const double half_x = narrow * std::max(1.0, stage_.aspect) * (1.0 + stage_.overrun);
-        const double half_y = narrow * std::max(1.0, 1.0 / stage_.aspect);
-        double least = 0.05;
-        for (const glm::dvec3& corner : block_corners(stage_.block)) {
-            const glm::dvec3 from = corner - subject_;
-            const double nearer = glm::dot(from, back);
-            least = std::max({least, std::abs(glm::dot(from, right)) / half_x + nearer,
-                              std::abs(glm::dot(from, up)) / half_y + nearer});
-        }
-        return least;
+        return distance(shot_.distance, subject_, breadth_, azimuth, elevation);
+    }
+
+    [[nodiscard]] double distance(const WordOrReal& asked, const glm::dvec3& subject,
+                                  double breadth, double azimuth, double elevation) const {
+        if (!asked.is_word()) return asked.value;
+        if (asked.word == "near") return near_distance(breadth, usual_.focal_length);
+        if (asked.word == "fit")
+            return fit_distance(stage_, subject, azimuth, elevation, usual_.focal_length);
+        CameraPose pose = usual_;
+        pose.look_at = subject;
+        return fill_distance(stage_, bed_, pose, azimuth, elevation);
     }
 
     [[nodiscard]] CameraPose of_key(const ShotKey& key) const {
         CameraPose pose = usual_;
-        pose.eye = place_on_stage(stage_, key.at, bed_);
-        pose.look_at = key.look_at.empty() ? subject_ : place_on_stage(stage_, key.look_at, bed_);
+        double breadth = breadth_;
+        pose.look_at = place_of(key.look_at, subject_, breadth);
+        if (key.at.empty()) {
+            const double azimuth = chosen(key.azimuth, azimuth_);
+            const double elevation =
+                composed(chosen(key.elevation, asked_elevation_), stage_.aspect);
+            const WordOrReal& asked = key.distance.word == "shot" ? shot_.distance : key.distance;
+            pose.eye = pose.look_at + distance(asked, pose.look_at, breadth, azimuth, elevation) *
+                                          towards(azimuth, elevation);
+        } else {
+            pose.eye = place_on_stage(stage_, key.at, bed_);
+        }
         pose.focal_length = chosen(key.focal_length, usual_.focal_length);
         pose.sun_azimuth = chosen(key.sun_azimuth, usual_.sun_azimuth);
         pose.sun_elevation = chosen(key.sun_elevation, usual_.sun_elevation);
@@ -317,65 +357,20 @@ class ShotPoses {
     std::shared_ptr<const Snapshot> first_;
     const Snapshot& bed_;
     double azimuth_ = 0.0;
+    double asked_elevation_ = 0.0;  ///< of a picture as wide as high
     double elevation_ = 0.0;
+    double breadth_ = 0.0;  ///< of the subject, block lengths
     double look_exposure_ = 0.0;
     glm::dvec3 subject_{0.0};
     CameraPose usual_;
     std::optional<CameraPose> place_;
 };
 
-/// The least height of the camera over the ground, block lengths.
-double clearance_of(const Shot& shot, const FilmStage& stage) {
-    // Lengths upward are exaggerated as heights are.
-    const double upward = stage.block.exaggeration / stage.block.side;
-    if (!shot.clearance.is_word()) return shot.clearance.value * upward;
-    double clearance = 0.01;
-    for (const ShotKey& key : shot.keys)
-        clearance = std::min(clearance, std::max(0.0, key.at[2]) * upward);
-    return clearance;
-}
-
-CameraPath path_of(const Film& film, std::size_t number, const FilmStage& stage,
-                   const FilmRuns& runs, const BedClock& clock) {
-    const StoredBeds& beds = runs.first();
-    const Shot& shot = film.shots[number];
-    const std::vector<CameraPose> poses = poses_of(film, number, stage, beds, clock);
-    const auto timing =
-        shot.move == Move::follow_dune ? CameraPath::Timing::poses : CameraPath::Timing::distance;
-    const double clearance = clearance_of(shot, stage);
-    const bool low = std::ranges::any_of(poses, [&](const CameraPose& pose) {
-        return pose.eye.z < stage.block.top + 2.0 * clearance;
-    });
-    if (!low) return CameraPath(poses, {}, timing);
-    HighestGround ground(stage);
-    for (std::size_t run = 0; run < runs.size(); ++run) {
-        const std::size_t first = runs.in_step(run, clock.earliest(), shot.clock);
-        const std::size_t last = runs.in_step(run, clock.latest(), shot.clock);
-        const std::size_t stride = stride_over(last - first + 1, film);
-        for (std::size_t i = first; i < last; i += stride) ground.add(*runs.beds(run).heights(i));
-        ground.add(*runs.beds(run).heights(last));
-    }
-    return CameraPath(
-        poses, [&](double x, double y) { return ground.at(x, y) + clearance; }, timing);
-}
-
 }  // namespace
 
 std::vector<CameraPose> poses_of(const Film& film, std::size_t shot, const FilmStage& stage,
                                  const StoredBeds& beds, const BedClock& clock) {
     return ShotPoses(film, shot, stage, beds, clock).make();
-}
-
-StagedShot::StagedShot(const Film& film, std::size_t shot, const FilmStage& stage,
-                       const FilmRuns& runs)
-    : clock_(film, shot, runs.first()),
-      path_(path_of(film, shot, stage, runs, clock_)),
-      // A dune goes its own pace.
-      speed_(film.shots[shot].move == Move::follow_dune ? CameraSpeed::constant
-                                                        : film.shots[shot].speed) {}
-
-CameraPose StagedShot::pose_at(double share) const {
-    return path_.at(speed_ == CameraSpeed::eased ? eased(share) : share);
 }
 
 }  // namespace fumon

@@ -73,10 +73,20 @@ struct FilmSettings {
     bool draft = false;           ///< coarser ground, encoded quickly
 };
 
+/// What a camera looks at.
+struct ViewTarget {
+    std::string word;        ///< what is there ("highest"); empty: `at` counts
+    std::vector<double> at;  ///< as camera.look_at; empty: none is named
+    [[nodiscard]] bool is_named() const { return !word.empty() || !at.empty(); }
+};
+
 /// A place of the camera on its way.
 struct ShotKey {
-    std::vector<double> at;       ///< as camera.at
-    std::vector<double> look_at;  ///< as camera.look_at; empty: the shot's subject
+    std::vector<double> at;  ///< as camera.at; empty: as azimuth, elevation and distance say
+    ViewTarget look_at;      ///< none: the shot's subject
+    WordOrReal azimuth{"shot", 0.0};
+    WordOrReal elevation{"shot", 0.0};
+    WordOrReal distance{"shot", 0.0};
     WordOrReal focal_length{"shot", 0.0};
     WordOrReal sun_azimuth{"shot", 0.0};
     WordOrReal sun_elevation{"shot", 0.0};
@@ -99,7 +109,8 @@ struct Shot {
     WordOrReal sun_azimuth{"scene", 0.0};
     WordOrReal sun_elevation{"scene", 0.0};
     WordOrReal exposure{"scene", 0.0};        ///< stops
-    std::vector<double> subject;              ///< as camera.look_at; empty: the bed's middle
+    ViewTarget subject;                       ///< none: the bed's middle
+    bool follow = false;                      ///< whether the camera goes with the subject
     double turn = 360.0;                      ///< degrees of an orbit
     std::int64_t dune = 1;                    ///< that is followed: 1 is the largest
     WordOrReal clearance{"auto", 0.0};        ///< least height over the ground, m or sites

@@ -55,12 +55,23 @@ void check_keys(const Film& film, std::size_t number, Faults& faults) {
     for (std::size_t k = 0; k < shot.keys.size(); ++k) {
         const std::string key = fmt::format("{}.key.{}", path, k);
         faults.attempt([&] {
-            if (shot.keys[k].at.empty())
-                throw InputError(fmt::format("{}{}.at is missing: the camera's position",
-                                             film.at(key + "."), key));
+            const ShotKey& one = shot.keys[k];
+            const bool relative =
+                !one.azimuth.is_word() || !one.elevation.is_word() || one.distance.word != "shot";
+            if (one.at.empty() && !relative) {
+                throw InputError(fmt::format(
+                    "{}{}.at is missing: the camera's position; or .azimuth, .elevation and "
+                    ".distance from what it looks at",
+                    film.at(key + "."), key));
+            }
+            if (!one.at.empty() && relative) {
+                throw InputError(fmt::format(
+                    "{}{} has .at and .azimuth, .elevation or .distance; take one or the others",
+                    film.at(key + ".at"), key));
+            }
             check_place(film, key + ".at", shot.keys[k].at);
         });
-        faults.attempt([&] { check_place(film, key + ".look_at", shot.keys[k].look_at); });
+        faults.attempt([&] { check_place(film, key + ".look_at", shot.keys[k].look_at.at); });
     }
 }
 
@@ -79,6 +90,20 @@ void check_times(const Film& film, std::size_t number) {
                         film.at(path + ".transition_seconds"), path, shot.transition_seconds,
                         std::min(before, shot.seconds)));
     }
+}
+
+void check_follow(const Film& film, std::size_t number) {
+    const Shot& shot = film.shots[number];
+    if (!shot.follow) return;
+    const std::string path = fmt::format("shot.{}.follow", number);
+    if (shot.subject.word.empty() || shot.subject.word == "middle") {
+        throw InputError(fmt::format(
+            "{}{} needs a .subject that may move, such as \"largest dune\" or \"highest\"",
+            film.at(path), path));
+    }
+    if (shot.move == Move::still || shot.move == Move::orbit || shot.move == Move::push_in) return;
+    throw InputError(fmt::format("{}{} is for move = \"still\", \"orbit\" and \"push-in\"",
+                                 film.at(path), path));
 }
 
 }  // namespace
@@ -101,8 +126,9 @@ void check_film(const Film& film, Faults& faults) {
     for (std::size_t i = 0; i < film.shots.size(); ++i) {
         check_keys(film, i, faults);
         const std::string subject = fmt::format("shot.{}.subject", i);
-        faults.attempt([&] { check_place(film, subject, film.shots[i].subject); });
+        faults.attempt([&] { check_place(film, subject, film.shots[i].subject.at); });
         faults.attempt([&] { check_times(film, i); });
+        faults.attempt([&] { check_follow(film, i); });
     }
     for (std::size_t i = 0; i < film.captions.size(); ++i) {
         faults.attempt([&] {

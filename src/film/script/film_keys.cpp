@@ -8,6 +8,7 @@
 
 #include "base/limits.h"
 #include "film/script/film_sizes.h"
+#include "film/script/moment.h"
 #include "keys/describe_key.h"
 #include "picture/movie_format.h"
 #include "scene/figure/figure_keys.h"
@@ -107,16 +108,50 @@ void list_light(const std::string& path, WordOrReal& focal_length, WordOrReal& s
                        {.unit = "stops", .range = {-10, 10}, .help = "brighter or darker"});
 }
 
+/// Distances that what is looked at decides.
+std::vector<KeyWord> distance_words() {
+    return {{"fit", "the whole bed just fits the picture, whatever its shape"},
+            {"fill", "the bed fills two thirds of the picture; no farther than it fits"},
+            {"near", "what the camera looks at, by a word, fills about half of the picture"}};
+}
+
+/// What a camera may look at by its name, found in the shot's last bed.
+std::vector<KeyWord> place_words() {
+    return {{"middle", "the bed's middle"},
+            {"highest", "the highest landform, half way up"},
+            {"lowest", "the lowest cell"},
+            {"deepest channel", "the cell that lies deepest below the ground around it"},
+            {"largest dune", "the isolated dune with most sand; where none is, the highest"},
+            {"outlet", "where the stream that drains most leaves the bed"}};
+}
+
 void list_key(ShotKey& key, const std::string& path, KeyTable& table) {
     const char* place = "east and north of the bed's south-western corner, and above the bed there";
     table.real_list(path + ".at", key.at, 0, 3,
                     {.unit = "m or sites",
                      .range = {-largest_coordinate, largest_coordinate},
-                     .help = std::string("where the camera stands: ") + place});
-    table.real_list(path + ".look_at", key.look_at, 0, 3,
-                    {.unit = "m or sites",
-                     .range = {-largest_coordinate, largest_coordinate},
-                     .help = "what it looks at, likewise; empty: the shot's subject"});
+                     .help = std::string("where the camera stands: ") + place +
+                             "; empty: as .azimuth, .elevation and .distance say"});
+    table.word_or_list(
+        path + ".look_at", key.look_at.word, key.look_at.at, 0, 3, place_words(),
+        {.unit = "m or sites",
+         .range = {-largest_coordinate, largest_coordinate},
+         .help = "what it looks at, likewise, or what is there; empty: the shot's subject"});
+    const KeyWord as_shot{"shot", "as the shot says"};
+    table.word_or_real(path + ".azimuth", key.azimuth, {as_shot},
+                       {.unit = "degrees",
+                        .range = {-720, 720},
+                        .help = "without .at: where it stands from what it looks at"});
+    table.word_or_real(path + ".elevation", key.elevation, {as_shot},
+                       {.unit = "degrees",
+                        .range = {1, 89.5},
+                        .help = "without .at: above the horizon of what it looks at"});
+    std::vector<KeyWord> distances = distance_words();
+    distances.insert(distances.begin(), as_shot);
+    table.word_or_real(path + ".distance", key.distance, std::move(distances),
+                       {.unit = "block lengths",
+                        .range = {0.01, 100},
+                        .help = "without .at: from what it looks at"});
     list_light(path, key.focal_length, key.sun_azimuth, key.sun_elevation, key.exposure, "shot",
                "as the shot says", table);
 }
@@ -130,14 +165,19 @@ void list_shot(Shot& shot, const std::string& path, KeyTable& table) {
                 .help = "of its seconds the last ones, in which all stands still"});
     const std::vector<KeyWord> ends{{"start", "the first stored bed"},
                                     {"end", "the last stored bed"}};
+    const std::vector<WordForm> moments{
+        {"40 %", "of the way from the first stored bed to the last", is_written_share},
+        {"3 yr", "the model's time, in a unit of UDUNITS", is_written_time}};
     table.word_or_real(path + ".from", shot.from, ends,
                        {.unit = "steps or time",
                         .range = {0, largest_time},
-                        .help = "where in the run it begins; the same as .to: a freeze"});
+                        .help = "where in the run it begins; the same as .to: a freeze"},
+                       moments);
     table.word_or_real(path + ".to", shot.to, ends,
                        {.unit = "steps or time",
                         .range = {0, largest_time},
-                        .help = "and where it ends, maybe before"});
+                        .help = "and where it ends, maybe before"},
+                       moments);
     table.choice(path + ".clock", shot.clock,
                  {{FilmClock::step, "step", "steps"},
                   {FilmClock::time, "time", "the model's time, in its unit"}},
@@ -177,18 +217,21 @@ void list_shot(Shot& shot, const std::string& path, KeyTable& table) {
                         .help = "where the camera stands at first, clockwise from north"});
     table.word_or_real(path + ".elevation", shot.elevation, {{"scene", "camera.elevation"}},
                        {.unit = "degrees", .range = {1, 89.5}, .help = "above the horizon"});
-    table.word_or_real(path + ".distance", shot.distance,
-                       {{"fit", "the whole bed just fits the picture, whatever its shape"}},
+    table.word_or_real(path + ".distance", shot.distance, distance_words(),
                        {.unit = "block lengths",
                         .range = {0.01, 100},
                         .help = "from the subject, in units of the bed's longer side"});
     list_light(path, shot.focal_length, shot.sun_azimuth, shot.sun_elevation, shot.exposure,
                "scene", "as the scene says", table);
-    table.real_list(
-        path + ".subject", shot.subject, 0, 3,
+    table.word_or_list(
+        path + ".subject", shot.subject.word, shot.subject.at, 0, 3, place_words(),
         {.unit = "m or sites",
          .range = {-largest_coordinate, largest_coordinate},
-         .help = "what the camera looks at, as camera.look_at; empty: the bed's middle"});
+         .help = "what the camera looks at, as camera.look_at, or what is there; empty: the "
+                 "bed's middle"});
+    table.boolean(path + ".follow", shot.follow,
+                  {.help = "of a still, orbit or push-in: whether the camera goes with what "
+                           ".subject names, bed by bed"});
     table.real(path + ".turn", shot.turn,
                {.unit = "degrees", .range = {-3600, 3600}, .help = "of an orbit, clockwise"});
     table.integer(path + ".dune", shot.dune,
