@@ -33,6 +33,7 @@ struct FilmOptions {
     bool draft = false;
     bool resume = false;
     bool force = false;
+    ForeignQuery foreign;
     WorkOptions work;
 };
 
@@ -41,7 +42,7 @@ void declare(CLI::App& command, FilmOptions& options) {
         .add_option(
             "RUN", options.runs,
             "the folder of a finished run that stored beds; or several, or that of a sweep, "
-            "side by side")
+            "side by side; or the results of another model: NetCDF, or 'PATTERN*' of files")
         ->required();
     command.add_option(
         "FILM", options.film,
@@ -70,6 +71,7 @@ void declare(CLI::App& command, FilmOptions& options) {
                      "keep the frames in FILE.frames until the film is whole; given again, an "
                      "interrupted film goes on where it stopped");
     add_force(command, options.force);
+    add_foreign_options(command, options.foreign);
     add_settings(command, options.work.settings,
                  "override a film key: --set film.size=vertical (repeatable)");
     add_thread_options(command, options.work);
@@ -81,6 +83,7 @@ void declare(CLI::App& command, FilmOptions& options) {
          {"fumon film out/wet out/dry film.toml", "two runs side by side, in step"},
          {"fumon film out/one out/two trailer.toml",
           "pieces of several films, one after the other"},
+         {"fumon film flood.nc film.toml", "the results of another model"},
          {"fumon film out/run film.toml --formats talk,gif --max-size 8MB", "several files"}},
         "Nothing is simulated: the run stores beds when its scene says output.fields_every=N.\n"
         "`fumon describe film` lists the keys of a film.");
@@ -119,7 +122,8 @@ int perform(const FilmOptions& options) {
                            options.most_bytes.empty() ? 0 : bytes_of_size(options.most_bytes));
     for (FilmOutput& output : outputs) output.goes_on = options.resume;
     prepare_drawing(options.work);
-    const FilmRuns runs(arguments.runs, options.work.threads, arrangement_of(film));
+    const FilmRuns runs(arguments.runs, options.work.threads, arrangement_of(film),
+                        options.foreign);
     OutputClaims claims(options.force);
     claims.reads(file);
     claims.reads(runs.files());
