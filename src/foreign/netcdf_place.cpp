@@ -1,6 +1,7 @@
 #include "foreign/netcdf_place.h"
 
 #include <fmt/format.h>
+#include <netcdf.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/elementary_angle.h"
+#include "base/elementary_power.h"
 #include "files/netcdf/netcdf_axis.h"
 #include "files/netcdf/netcdf_cells.h"
 #include "files/terrain/ground_lengths.h"
@@ -59,7 +62,7 @@ struct Vector {
 };
 
 double length_of(const Vector& vector) {
-    return std::hypot(vector.x, vector.y);
+    return elementary::hypot(vector.x, vector.y);
 }
 
 /// The mean step from one cell to the next along a side, as the coordinates' corners have it.
@@ -76,10 +79,10 @@ void check_straight(const NetcdfInput& input, const BedVariable& map, const Grid
     const double most = evenness * std::max(length_of(a), length_of(b));
     for (int j = 0; j < x.ny(); ++j) {
         for (int i = 0; i < x.nx(); ++i) {
-            const double off = std::hypot(x(i, j) - x(0, 0) - i * a.x - j * b.x,
-                                          y(i, j) - y(0, 0) - i * a.y - j * b.y);
+            const double off = elementary::hypot(x(i, j) - x(0, 0) - i * a.x - j * b.x,
+                                                 y(i, j) - y(0, 0) - i * a.y - j * b.y);
             if (off <= most) continue;
-            input.refuse(fmt::format("{} lies on a curvilinear or unevenly spaced grid", map.name),
+            input.refuse(fmt::format("{} lies on a curvilinear grid", map.name),
                          "interpolate it to even cells first (cdo remapbil, gdalwarp or xESMF)");
         }
     }
@@ -91,19 +94,174 @@ void check_straight(const NetcdfInput& input, const BedVariable& map, const Grid
 
 /// The shortest number of six digits near a cell's size, if it is as near as single precision is.
 double rounded_size(double size) {
-    const double scale = std::pow(10.0, 5.0 - std::floor(std::log10(size)));
+    const double scale = elementary::pow(10.0, 5.0 - std::floor(elementary::log10(size)));
     const double rounded = std::round(size * scale) / scale;
     return std::abs(rounded / size - 1.0) < 1e-4 ? rounded : size;
+}
+
+/// The columns' x or the rows' y, where all rows or columns have the same; else nothing.
+std::optional<std::vector<double>> positions_along(const Grid& plane, bool columns) {
+    const int count = columns ? plane.nx() : plane.ny();
+    const int others = columns ? plane.ny() : plane.nx();
+    std::vector<double> positions;
+    double smallest = std::numeric_limits<double>::max();
+    for (int k = 0; k < count; ++k) {
+        positions.push_back(columns ? plane(k, 0) : plane(0, k));
+        if (k > 0)
+            smallest = std::min(smallest, std::abs(positions[static_cast<std::size_t>(k)] -
+                                                   positions[static_cast<std::size_t>(k - 1)]));
+    }
+    const bool falls = positions.back() < positions.front();
+    for (int k = 0; k < count; ++k) {
+        if (k > 0 && (positions[static_cast<std::size_t>(k)] <
+                      positions[static_cast<std::size_t>(k - 1)]) != falls)
+            return std::nullopt;
+        for (int other = 0; other < others; ++other) {
+            const double value = columns ? plane(k, other) : plane(other, k);
+            if (std::abs(value - positions[static_cast<std::size_t>(k)]) > evenness * smallest)
+                return std::nullopt;
+        }
+    }
+    if (count > 1 && !(smallest > 0.0)) return std::nullopt;
+    return positions;
+}
+
+/// Cells of one size over uneven positions: as small as the smallest spacing, and at most eight
+/// times as many as there are positions.
+struct EvenAxis {
+    std::vector<double> places;  ///< of the positions, in cells, rising
+    double size = 0.0;
+    double lowest = 0.0;  ///< the first cell's centre
+    int count = 1;
+};
+
+EvenAxis even_axis(std::vector<double> positions) {
+    std::ranges::sort(positions);
+    EvenAxis axis;
+    axis.lowest = positions.front();
+    const double span = positions.back() - positions.front();
+    if (span == 0.0) {
+        axis.places = {0.0};
+        return axis;
+    }
+    double smallest = span;
+    for (std::size_t k = 1; k < positions.size(); ++k)
+        smallest = std::min(smallest, positions[k] - positions[k - 1]);
+    constexpr double most_per_position = 8.0;
+    const double most = most_per_position * static_cast<double>(positions.size());
+    axis.count = static_cast<int>(std::min(std::round(span / smallest), most)) + 1;
+    axis.size = span / (axis.count - 1);
+    for (const double position : positions)
+        axis.places.push_back((position - axis.lowest) / axis.size);
+    return axis;
+}
+
+bool is_even(const std::vector<double>& positions) {
+    const double step =
+        (positions.back() - positions.front()) / static_cast<double>(positions.size() - 1);
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+        const double expected = positions.front() + step * static_cast<double>(k);
+        if (std::abs(positions[k] - expected) > evenness * std::abs(step)) return false;
+    }
+    return true;
+}
+
+/// Of columns and rows along x and y that are not evenly spaced; else nothing.
+std::optional<NetcdfPlace> uneven_place(const Grid& x, const Grid& y) {
+    const auto columns = positions_along(x, true);
+    const auto rows = positions_along(y, false);
+    if (!columns || !rows || (is_even(*columns) && is_even(*rows))) return std::nullopt;
+    const EvenAxis across = even_axis(*columns);
+    const EvenAxis along = even_axis(*rows);
+    NetcdfPlace place;
+    place.columns_fall = columns->back() < columns->front();
+    place.rows_fall = rows->back() < rows->front();
+    place.columns = across.places;
+    place.rows = along.places;
+    place.nx = across.count;
+    place.ny = along.count;
+    const double dx = across.size > 0.0 ? across.size : along.size;
+    const double dy = along.size > 0.0 ? along.size : across.size;
+    place.scale = {dx, dy, 1.0, true};
+    place.scale.place = GeoReference{across.lowest - 0.5 * dx, along.lowest - 0.5 * dy, dx, dy};
+    place.note = fmt::format(
+        "its {} x {} points are unevenly spaced: they are laid on {} x {} "
+        "cells, linearly between them",
+        x.nx(), x.ny(), place.nx, place.ny);
+    return place;
+}
+
+/// A value between two, or the one that there is.
+double between(double low, double high, double share) {
+    if (std::isnan(low)) return share > 0.5 ? high : low;
+    if (std::isnan(high)) return share < 0.5 ? low : high;
+    return (1.0 - share) * low + share * high;
+}
+
+/// The number of the position at or before a cell, of at least two, and the cell's share of the way
+/// to the next.
+std::pair<int, double> share_of(const std::vector<double>& places, int cell) {
+    const auto after = std::ranges::upper_bound(places, cell + 1e-9);
+    const auto last = static_cast<std::ptrdiff_t>(places.size()) - 2;
+    const std::ptrdiff_t k = std::clamp<std::ptrdiff_t>(after - places.begin() - 1, 0, last);
+    const auto at = static_cast<std::size_t>(k);
+    return {static_cast<int>(k),
+            std::clamp((cell - places[at]) / (places[at + 1] - places[at]), 0.0, 1.0)};
+}
+
+/// Values at uneven columns and rows on even cells.
+Grid on_even_cells(const Grid& values, const NetcdfPlace& place) {
+    Grid across(place.nx, values.ny());
+    for (int i = 0; i < place.nx; ++i) {
+        if (place.columns.size() < 2) {
+            for (int j = 0; j < values.ny(); ++j) across(i, j) = values(0, j);
+            continue;
+        }
+        const auto [k, share] = share_of(place.columns, i);
+        for (int j = 0; j < values.ny(); ++j)
+            across(i, j) = between(values(k, j), values(k + 1, j), share);
+    }
+    if (place.rows.size() < 2) return across;
+    Grid even(place.nx, place.ny);
+    for (int j = 0; j < place.ny; ++j) {
+        const auto [k, share] = share_of(place.rows, j);
+        for (int i = 0; i < place.nx; ++i)
+            even(i, j) = between(across(i, k), across(i, k + 1), share);
+    }
+    return even;
+}
+
+/// Coordinates of one dimension in a length, as planes; nothing where there are none.
+std::optional<Grid> plane_of_axis(const NetcdfInput& input, const BedVariable& map, bool columns) {
+    const int dimension = columns ? map.x : map.y;
+    const auto variable = input.find_variable(input.dimension_name(dimension));
+    if (!variable || !input.is_numeric(*variable) ||
+        input.dimensions(*variable) != std::vector<int>{dimension})
+        return std::nullopt;
+    const auto metres = metres_per_unit(input.text(*variable, "units").value_or(""));
+    if (!metres) return std::nullopt;
+    std::vector<double> values(input.dimension_length(dimension));
+    check_netcdf(nc_get_var_double(input.id(), *variable, values.data()));
+    Grid plane(static_cast<int>(input.dimension_length(map.x)),
+               static_cast<int>(input.dimension_length(map.y)));
+    for (int j = 0; j < plane.ny(); ++j) {
+        for (int i = 0; i < plane.nx(); ++i)
+            plane(i, j) = *metres * values[static_cast<std::size_t>(columns ? i : j)];
+    }
+    return plane;
 }
 
 /// By coordinates of two dimensions in lengths.
 NetcdfPlace place_by_planes(const NetcdfInput& input, const BedVariable& map, const Grid& x,
                             const Grid& y) {
+    if (auto uneven = uneven_place(x, y)) return *std::move(uneven);
     const Vector a = step_along(x, y, true);
     const Vector b = step_along(x, y, false);
     check_straight(input, map, x, y, a, b);
     NetcdfPlace place;
     place.swapped = std::abs(a.x) < std::abs(a.y) && x.nx() > 1;
+    place.nx = place.swapped ? x.ny() : x.nx();
+    place.ny = place.swapped ? x.nx() : x.ny();
     const Vector& east = place.swapped ? b : a;
     const Vector& north = place.swapped ? a : b;
     const double dx = length_of(east);
@@ -122,8 +280,8 @@ NetcdfPlace place_by_planes(const NetcdfInput& input, const BedVariable& map, co
     constexpr double level = 1e-3;
     if (std::abs(east.y) > level * dx || std::abs(north.x) > level * dy) {
         constexpr double degrees_per_radian = 57.29577951308232;
-        const double turn = std::atan2(place.columns_fall ? -east.y : east.y,
-                                       place.columns_fall ? -east.x : east.x);
+        const double turn = elementary::atan2(place.columns_fall ? -east.y : east.y,
+                                              place.columns_fall ? -east.x : east.x);
         place.note = fmt::format(
             "its grid is turned by {:.3g} degrees against the east: it is drawn along its own "
             "sides",
@@ -150,7 +308,14 @@ NetcdfPlace place_of_maps(const NetcdfInput& input, const BedVariable& map) {
     const auto x = plane_of(input, map, eastward_names, is_eastward_variable);
     const auto y = plane_of(input, map, northward_names, is_northward_variable);
     if (x && y) return place_by_planes(input, map, *x, *y);
+    const auto columns = plane_of_axis(input, map, true);
+    const auto rows = columns ? plane_of_axis(input, map, false) : std::nullopt;
+    if (rows) {
+        if (auto uneven = uneven_place(*columns, *rows)) return *std::move(uneven);
+    }
     NetcdfPlace place;
+    place.nx = static_cast<int>(input.dimension_length(map.x));
+    place.ny = static_cast<int>(input.dimension_length(map.y));
     const auto [across, along] = netcdf_axes(input, map);
     place.columns_fall = across.descending;
     place.rows_fall = along.descending;
@@ -184,7 +349,7 @@ Grid read_map(const NetcdfInput& input, BedVariable map, const NetcdfPlace& plac
     for (int y = 0; place.rows_fall && y < values.ny() / 2; ++y)
         std::ranges::swap_ranges(values.row(y), values.row(values.ny() - 1 - y));
     for (int y = 0; place.columns_fall && y < values.ny(); ++y) std::ranges::reverse(values.row(y));
-    return values;
+    return place.columns.empty() ? values : on_even_cells(values, place);
 }
 
 }  // namespace fumon

@@ -186,6 +186,15 @@ RawTimes all_times(const std::vector<fs::path>& files, RunRecords& records) {
     return all;
 }
 
+/// The steps of fumon's own records.
+void take_own_steps(const NetcdfInput& input, ForeignTimes& times) {
+    const auto variable = input.find_variable("step");
+    if (!variable || !input.find_variable("bed_height")) return;
+    std::vector<long long> steps(times.steps.size());
+    check_netcdf(nc_get_var_longlong(input.id(), *variable, steps.data()));
+    times.steps.assign(steps.begin(), steps.end());
+}
+
 std::string title_of(const NetcdfInput& input, const fs::path& file) {
     std::string title = input.text(NC_GLOBAL, "title").value_or("");
     constexpr std::size_t longest = 80;
@@ -211,6 +220,7 @@ ForeignRun read_netcdf_run(const std::string& name, std::vector<fs::path> files,
         const std::vector<ForeignMap> maps = maps_of(input, dimension_of_records(input));
         const ForeignModel* model = model_of_file(input, maps);
         run.title = title_of(input, files.front());
+        if (files.size() == 1) take_own_steps(input, run.times);
         if (model != nullptr) {
             run.dry = model->dry;
             if (model->name != "others") run.model = model->name;
@@ -221,11 +231,8 @@ ForeignRun read_netcdf_run(const std::string& name, std::vector<fs::path> files,
         const NetcdfPlace place = place_of_maps(input, sides.variable);
         run.scale = place.scale;
         if (!place.note.empty()) run.notes.push_back(place.note);
-        const auto side = [&](int dimension) {
-            return static_cast<int>(input.dimension_length(dimension));
-        };
-        run.nx = side(place.swapped ? sides.variable.y : sides.variable.x);
-        run.ny = side(place.swapped ? sides.variable.x : sides.variable.y);
+        run.nx = place.nx;
+        run.ny = place.ny;
         for (const ChosenMap& one : chosen) {
             if (one.map.variable.x != sides.variable.x || one.map.variable.y != sides.variable.y)
                 input.refuse(

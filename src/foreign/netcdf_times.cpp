@@ -92,7 +92,7 @@ RawTimes netcdf_times(const NetcdfInput& input, int dimension, const std::string
         times.counted = true;
         times.origin.reset();
         times.note = fmt::format(
-            "{} is in \"{}\", which is no time: its numbers are taken as steps", name, unit);
+            "{} is in \"{}\", not a unit of time: its numbers are taken as steps", name, unit);
         return times;
     }
     for (double& value : times.values) value *= seconds->factor;

@@ -36,7 +36,7 @@ void read_line(std::string_view line, const fs::path& file, std::size_t number,
         const char* const text = line.data() + (line.front() == '+' ? 1 : 0);
         const auto [end, fault] = std::from_chars(text, line.data() + line.size(), value);
         if (fault != std::errc{})
-            throw InputError(fmt::format("{}:{}: \"{}\" is no number", file.string(), number,
+            throw InputError(fmt::format("{}:{}: \"{}\" is not a number", file.string(), number,
                                          line.substr(0, line.find_first_of(blanks))));
         values.push_back(value);
         line.remove_prefix(static_cast<std::size_t>(end - line.data()));

@@ -65,7 +65,7 @@ RawTimes times_of(const std::vector<NumberedFile>& series, const ForeignQuery& q
         const auto seconds = unit_conversion(query.time_unit, "s");
         if (!seconds)
             throw InputError(
-                fmt::format("--time-unit {} is no unit of time; write s, min, h, d or "
+                fmt::format("--time-unit {} is not a unit of time; write s, min, h, d or "
                             "yr",
                             query.time_unit));
         factor = seconds->factor;

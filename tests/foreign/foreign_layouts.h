@@ -106,7 +106,8 @@ inline void write_landlab(const std::filesystem::path& file) {
 
 /// As XBeach writes its output (its manual, "NetCDF output"; netcdf.F90): globaltime, globaly,
 /// globalx, with rows that run south.
-inline void write_xbeach(const std::filesystem::path& file) {
+inline void write_xbeach(const std::filesystem::path& file,
+                         const std::vector<double>& columns = {0, 2, 4, 6}) {
     const NetcdfMaker maker(file);
     const int nx = maker.dimension("globalx", 4);
     const int ny = maker.dimension("globaly", 3);
@@ -122,7 +123,7 @@ inline void write_xbeach(const std::filesystem::path& file) {
     std::vector<double> ys;
     for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 4; ++i) {
-            xs.push_back(2.0 * i);
+            xs.push_back(columns[static_cast<std::size_t>(i)]);
             ys.push_back(-2.0 * j);
         }
     }

@@ -94,6 +94,21 @@ TEST_F(ForeignNetcdf, RowsThatRunSouthAreTurnedUp) {
     EXPECT_DOUBLE_EQ((*field_of(last.fields, "velocity_x"))(0, 0), 0.25);
 }
 
+TEST_F(ForeignNetcdf, UnevenColumnsAreLaidOnEvenCells) {
+    write_xbeach(path, {0, 4, 6, 7});
+    const ForeignRun run = open();
+    EXPECT_EQ(run.nx, 8);
+    EXPECT_EQ(run.ny, 3);
+    EXPECT_DOUBLE_EQ(run.scale.dx, 1.0);
+    EXPECT_DOUBLE_EQ(run.scale.dy, 2.0);
+    const Snapshot first = foreign_snapshot(run, 0);
+    EXPECT_DOUBLE_EQ(first.bed(0, 2), 0.0);
+    EXPECT_DOUBLE_EQ(first.bed(2, 2), 0.5);
+    EXPECT_DOUBLE_EQ(first.bed(5, 0), 21.5);
+    EXPECT_DOUBLE_EQ(first.bed(7, 1), 13.0);
+    EXPECT_DOUBLE_EQ(depth(first, 3, 1), 1.5);
+}
+
 TEST_F(ForeignNetcdf, ABedIsTheLevelWithoutTheDepth) {
     write_geoclaw(path);
     const ForeignRun run = open();
@@ -121,8 +136,8 @@ TEST_F(ForeignNetcdf, AeolisIsABedThatChanges) {
 }
 
 TEST_F(ForeignNetcdf, FilesOfOneRunFollowOneAnotherByTheirTimes) {
-    write_aeolis(folder / "out_10.nc", {0, 86400});
-    write_aeolis(folder / "out_9.nc", {172800, 259200});
+    write_aeolis(folder / "out_9.nc", {0, 86400});
+    write_aeolis(folder / "out_10.nc", {172800, 259200});
     const ForeignRun run = open_foreign_run((folder / "out_*.nc").string());
     ASSERT_EQ(run.times.times.size(), 4U);
     EXPECT_EQ(run.times.date(run.times.times[3]), "2015-01-04");
@@ -194,8 +209,9 @@ TEST_F(ForeignNetcdf, FieldsNeedTheSameGrid) {
         const int y = maker.dimension("y", 3);
         const int x = maker.dimension("x", 4);
         const int wide = maker.dimension("wide", 5);
-        (void)described(maker, "zb", {y, x}, "m");
+        const int zb = described(maker, "zb", {y, x}, "m");
         (void)described(maker, "h", {y, wide}, "m");
+        maker.values(zb, {3, 4}, numbered(1, 3, 4));
     }
     EXPECT_NE(refusal().find("zb (y, x) and h (y, wide) lie on different grids"),
               std::string::npos);

@@ -74,9 +74,9 @@ TEST_F(RasterSeries, DepthsAloneNeedABed) {
 }
 
 TEST_F(RasterSeries, DatesInNamesAreTimes) {
-    folder.file("survey-2019-03-01.asc", grid(1));
-    folder.file("survey-2018-12-31.asc", grid(2));
-    const ForeignRun run = open_foreign_run(at("survey-*.asc"), {.time_pattern = "%Y-%m-%d"});
+    folder.file("survey-01-03-2019.asc", grid(1));
+    folder.file("survey-31-12-2018.asc", grid(2));
+    const ForeignRun run = open_foreign_run(at("survey-*.asc"), {.time_pattern = "%d-%m-%Y"});
     EXPECT_EQ(run.times.date(run.times.times[0]), "2018-12-31");
     EXPECT_EQ(run.times.date(run.times.times[1]), "2019-03-01");
     EXPECT_DOUBLE_EQ(foreign_snapshot(run, 0).bed(0, 1), 2.0);

@@ -32,8 +32,8 @@ struct TimeText {
 /// The time text of a scene's run; `first` gives the unit.
 TimeText time_text_of(const Scene& scene, const Snapshot& first);
 
-/// A text with {title}, {seed}, {step}, {time}, {time:h}, {date} and {key} filled in, for a step. Throws
-/// InputError without a place for other names.
+/// A text with {title}, {seed}, {step}, {time}, {time:h}, {date} and {key} filled in, for a step.
+/// Throws InputError without a place for other names.
 std::string filled_text(const std::string& text, const Scene& scene, const TimeText& times,
                         std::int64_t step, double time);
 

@@ -90,10 +90,11 @@ StoredBeds StoredBeds::of_argument(const std::string& argument, int threads,
     if (is_foreign_run(argument)) return of_files(argument, threads, settings, query);
     std::error_code fault;
     if (fs::is_regular_file(argument, fault))
-        throw InputError(fmt::format(
-            "{}: is no run's folder and no file of results; results are NetCDF, or a series of "
-            "rasters as a pattern of names ('elev_*.asc')",
-            argument));
+        throw InputError(
+            fmt::format("{}: is neither a run's folder nor a file of results; results are NetCDF, "
+                        "or a series of "
+                        "rasters as a pattern of names ('elev_*.asc')",
+                        argument));
     return StoredBeds(argument, threads, settings);
 }
 
