@@ -144,7 +144,7 @@ void add_foreign_options(CLI::App& command, ForeignQuery& query) {
                     "bed=dem.tif or depth='wd*.asc' (repeatable); of bed, depth, level, u, v, qx, "
                     "qy, concentration")
         ->type_name("QUANTITY=NAME")
-        ->expected(1);
+        ->allow_extra_args(false);
     command
         .add_option("--time-pattern", query.time_pattern,
                     "of the dates in the names of a series of rasters: '%Y-%m-%d'")

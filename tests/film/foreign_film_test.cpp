@@ -75,6 +75,17 @@ TEST_F(ForeignFilm, FieldsOfFumonNeedNoFolder) {
     EXPECT_TRUE(fs::exists(folder_ / "alone_04.png"));
 }
 
+TEST_F(ForeignFilm, DescribeTakesSeveralFields) {
+    const Ended told =
+        run({"describe", "flood.nc", "--field", "depth=hmax", "--field", "level=zs"});
+    ASSERT_EQ(told.status, 0) << told.errors;
+    EXPECT_NE(told.output.find("\ndepth      hmax (timemax, n, m): water depth, by --field"),
+              std::string::npos)
+        << told.output;
+    EXPECT_NE(told.output.find("\nlevel      zs (time, n, m): water level, by --field"),
+              std::string::npos);
+}
+
 TEST_F(ForeignFilm, RecordsAreMeasuredARowEach) {
     const Ended measured = run({"measure", "flood.nc"});
     ASSERT_EQ(measured.status, 0) << measured.errors;
