@@ -26,12 +26,13 @@ void declare(CLI::App& command, DescribeOptions& options) {
                        "(NetCDF, or 'PATTERN*' of files): what of them is recognised, as what");
     command.add_flag("--json", options.as_json, "as JSON (of everything where WHAT is left out)");
     add_foreign_options(command, options.foreign);
-    add_examples(command, {{"fumon describe", "every section with the names of its keys"},
-                           {"fumon describe camera", "the keys of a section"},
-                           {"fumon describe look.palette", "one key"},
-                           {"fumon describe sand", "the keys of a model"},
-                           {"fumon describe dunes --json", "the same for a program"},
-                           {"fumon describe flood.nc", "what another model's file holds"}});
+    add_examples(command,
+                 {{"fumon describe", "every section with the names of its keys"},
+                  {"fumon describe camera", "the keys of a section"},
+                  {"fumon describe look.palette", "one key"},
+                  {"fumon describe sand", "the keys of a model"},
+                  {"fumon describe dunes --json", "the same for a program"}},
+                 "`fumon describe flood.nc` tells what the results of another model hold.");
 }
 
 /// What is said of a part of films alone; empty where it is none.
