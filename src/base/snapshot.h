@@ -88,6 +88,8 @@ struct Snapshot {
     /// The rain between two times of the run, metres: of every cell, or one value for all of them.
     /// Asked for where it is shown. Empty where the model knows no rain.
     std::function<Grid(double from, double until)> rain{};
+    /// The date of a time of the run, where its times have one: "2019-08-31 14:00 UTC".
+    std::function<std::string(double time)> date{};
     /// Metres, of plants of the fields "grass" and "shrubs" where their cover is whole.
     double grass_height = 0.45;
     double shrub_height = 1.1;

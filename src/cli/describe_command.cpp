@@ -4,7 +4,9 @@
 #include "base/error.h"
 #include "cli/command.h"
 #include "cli/examples.h"
+#include "cli/shared_options.h"
 #include "film/script/film_keys.h"
+#include "foreign/open_run.h"
 #include "scene/describe.h"
 
 namespace fumon {
@@ -14,18 +16,23 @@ namespace {
 struct DescribeOptions {
     std::string what;
     bool as_json = false;
+    ForeignQuery foreign;
 };
 
 void declare(CLI::App& command, DescribeOptions& options) {
     command.add_option("WHAT", options.what,
                        "a section or a key of scenes or films, a model, or scene, figure, overlay, "
-                       "film or all; nothing: one page on all");
+                       "film or all; nothing: one page on all; or the results of another model "
+                       "(NetCDF, or 'PATTERN*' of files): what of them is recognised, as what");
     command.add_flag("--json", options.as_json, "as JSON (of everything where WHAT is left out)");
-    add_examples(command, {{"fumon describe", "every section with the names of its keys"},
-                           {"fumon describe camera", "the keys of a section"},
-                           {"fumon describe look.palette", "one key"},
-                           {"fumon describe sand", "the keys of a model"},
-                           {"fumon describe dunes --json", "the same for a program"}});
+    add_foreign_options(command, options.foreign);
+    add_examples(command,
+                 {{"fumon describe", "every section with the names of its keys"},
+                  {"fumon describe camera", "the keys of a section"},
+                  {"fumon describe look.palette", "one key"},
+                  {"fumon describe sand", "the keys of a model"},
+                  {"fumon describe dunes --json", "the same for a program"}},
+                 "`fumon describe flood.nc` tells what the results of another model hold.");
 }
 
 /// What is said of a part of films alone; empty where it is none.
@@ -48,6 +55,12 @@ std::string description(const DescribeOptions& options) {
 }
 
 int perform(const DescribeOptions& options) {
+    if (is_foreign_run(options.what)) {
+        if (options.as_json) throw InputError("--json: belongs to keys; leave it out for a file");
+        std::fputs(foreign_description(open_foreign_run(options.what, options.foreign)).c_str(),
+                   stdout);
+        return 0;
+    }
     std::fputs(description(options).c_str(), stdout);
     return 0;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +25,7 @@
 #include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_record.h"
 #include "files/terrain/terrain_format.h"
+#include "foreign/open_run.h"
 #include "mesh/coloured_mesh.h"
 #include "mesh/glb.h"
 #include "mesh/height_mesh.h"
@@ -308,6 +310,10 @@ RasterRequest raster_request(const ExportOptions& options, const std::string& in
 
 /// What the input holds at the asked step. Throws InputError where it has no record of that step.
 Snapshot snapshot_of(const ExportOptions& options, const std::string& input) {
+    if (options.step != last_record) {
+        if (std::optional<Snapshot> state = foreign_state(input, options.step))
+            return *std::move(state);
+    }
     const bool chosen = options.step != last_record && is_fields_file(input);
     Snapshot snapshot = read_snapshot(input, options.heights, options.work.settings, !chosen);
     if (!chosen) return snapshot;
@@ -321,9 +327,10 @@ std::string state_file(const ExportOptions& options) {
     if (options.step == last_record) return last_state_of(input).string();
     std::string file = state_of_step(input, options.step).string();
     if (std::error_code fault; std::filesystem::is_directory(input, fault)) return file;
-    if (is_fields_file(file)) return file;
+    if (is_foreign_run(file) || is_fields_file(file)) return file;
     throw InputError(fmt::format(
-        "--step {}: {} has a single record; --step takes a run's folder or its fields.nc",
+        "--step {}: {} has a single record; --step takes a run's folder, its fields.nc, or the "
+        "NetCDF of another model",
         options.step, input));
 }
 

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,6 +41,7 @@ struct FilmOptions {
     bool draft = false;
     bool resume = false;
     bool force = false;
+    ForeignQuery foreign;
     WorkOptions work;
 };
 
@@ -46,7 +50,7 @@ void declare(CLI::App& command, FilmOptions& options) {
         .add_option(
             "RUN", options.runs,
             "the folder of a finished run that stored beds; or several, or that of a sweep, "
-            "side by side")
+            "side by side; or the results of another model: NetCDF, or 'PATTERN*' of files")
         ->required();
     command.add_option(
         "FILM", options.film,
@@ -85,6 +89,7 @@ void declare(CLI::App& command, FilmOptions& options) {
                      "keep the frames in FILE.frames until the film is whole; given again, an "
                      "interrupted film goes on where it stopped");
     add_force(command, options.force);
+    add_foreign_options(command, options.foreign);
     add_settings(command, options.work.settings,
                  "override a film key: --set film.size=vertical (repeatable)");
     add_thread_options(command, options.work);
@@ -98,6 +103,7 @@ void declare(CLI::App& command, FilmOptions& options) {
          {"fumon film out/wet out/dry film.toml", "two runs side by side, in step"},
          {"fumon film out/one out/two trailer.toml",
           "pieces of several films, one after the other"},
+         {"fumon film flood.nc film.toml", "the results of another model"},
          {"fumon film out/run film.toml --formats talk,gif --max-size 8MB", "several files"}},
         "Nothing is simulated: the run stores beds when its scene says output.fields_every=N.\n"
         "`fumon describe film` lists the keys of a film.");
@@ -108,11 +114,19 @@ struct Arguments {
     std::string film;
 };
 
+/// A folder of runs, or results of another model; what else there is may be a film.
+bool names_a_run(const std::string& argument) {
+    constexpr std::array<std::string_view, 6> of_grids{".nc",  ".nc4",  ".asc",
+                                                       ".tif", ".tiff", ".txt"};
+    return is_run_folder(argument) || argument.find('*') != std::string::npos ||
+           std::ranges::find(of_grids, small_ending(argument)) != of_grids.end();
+}
+
 /// CLI11 gives all of them to the runs; the last one is the film, unless it is a run itself.
 Arguments arguments_of(const FilmOptions& options) {
     Arguments arguments{options.runs, options.film};
     if (!arguments.film.empty() || arguments.runs.size() < 2) return arguments;
-    if (is_run_folder(arguments.runs.back())) return arguments;
+    if (names_a_run(arguments.runs.back())) return arguments;
     arguments.film = arguments.runs.back();
     arguments.runs.pop_back();
     return arguments;
@@ -140,13 +154,13 @@ FilmToMake film_by_file(const FilmOptions& options, const Arguments& arguments) 
     const RunArrangement showing = arrangement_of(film);
     fs::path usual = file.stem().string() + (again ? "-again" : "");
     return {std::move(text), std::move(film), std::move(usual), file,
-            FilmRuns(arguments.runs, options.work.threads, showing)};
+            FilmRuns(arguments.runs, options.work.threads, showing, options.foreign)};
 }
 
 /// Of runs without a film: one that is made by rule, as a film file.
 FilmToMake film_without_file(const FilmOptions& options, const Arguments& arguments) {
     const FilmRule rule{film_style(options.style), options.seconds};
-    FilmRuns runs(arguments.runs, options.work.threads);
+    FilmRuns runs(arguments.runs, options.work.threads, RunArrangement::together, options.foreign);
     FilmText text{film_by_rule(runs, rule, fs::path(arguments.runs.front()).string()),
                   "fumon film RUN"};
     if (options.style != "talk") text.remake += " --style " + options.style;

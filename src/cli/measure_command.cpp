@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <system_error>
 
 #include "base/error.h"
 #include "base/limits.h"
@@ -13,7 +14,11 @@
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
 #include "files/avalanche_table.h"
+#include "files/csv_table.h"
+#include "files/netcdf/netcdf_record.h"
 #include "files/terrain/terrain_format.h"
+#include "foreign/file_numbers.h"
+#include "foreign/open_run.h"
 #include "measure/pile/avalanche_report.h"
 #include "measure/suite.h"
 #include "run/inputs/scene_argument.h"
@@ -34,6 +39,7 @@ struct MeasureOptions {
     std::string window;         ///< "low:high", cells: where avalanche sizes are fitted
     double channel_area = 0.0;  ///< of the network; 0: none
     bool as_json = false;
+    ForeignQuery foreign;
     std::vector<std::string> settings;
 };
 
@@ -42,7 +48,8 @@ void declare(CLI::App& command, MeasureOptions& options) {
         .add_option("BED", options.bed,
                     terrain_titles() +
                         " (a run's fields.nc: its last record, water too); or a run's "
-                        "avalanches.csv; - is terrain on standard input")
+                        "avalanches.csv; - is terrain on standard input; of the results of another "
+                        "model (NetCDF, or 'PATTERN*' of files) with several records a row each")
         ->required();
     command.add_flag("--json", options.as_json, "as JSON");
     add_word(command, "--as", options.as, {"bed", "profile", "pile"},
@@ -74,6 +81,7 @@ void declare(CLI::App& command, MeasureOptions& options) {
                "also the network of channels through which at least this area drains, m2")
         ->type_name("AREA");
     add_heights(command, options.heights);
+    add_foreign_options(command, options.foreign);
     add_settings(command, options.settings,
                  "override a scene key, as grid.cell_size or bed.nodata (repeatable)");
     add_examples(
@@ -82,6 +90,7 @@ void declare(CLI::App& command, MeasureOptions& options) {
          {"fumon measure terrain.asc --open --json", "a terrain file, for a program"},
          {"fumon measure terrain.asc --channel-area 1e6", "its streams: orders, spacing, density"},
          {"fumon measure late.asc --earlier early.asc --steps 100", "how fast crests move"},
+         {"fumon measure flood.nc", "the results of another model, a row a record"},
          {"fumon measure out/run/avalanches.csv --window 10:100",
           "how avalanche sizes are spread"}},
         "Lengths are in metres where the file has them, else in sites; \"undefined\" is what has "
@@ -203,6 +212,45 @@ int measure_avalanches(const MeasureOptions& options) {
     return 0;
 }
 
+/// Another model's run of several records, unless options speak of one bed.
+std::optional<ForeignRun> foreign_series(const MeasureOptions& options) {
+    std::error_code fault;
+    const std::string& name = options.bed;
+    const bool asked = !options.foreign.fields.empty() || is_pattern(name);
+    const bool of_bed = !options.settings.empty() || !options.as.empty() ||
+                        !options.earlier.empty() || !options.drop.empty();
+    if (!is_foreign_run(name) || (!asked && of_bed)) return std::nullopt;
+    if (!asked && std::filesystem::is_regular_file(name, fault) && is_fields_file(name))
+        return std::nullopt;
+    ForeignRun run = open_foreign_run(name, options.foreign);
+    if (!asked && run.times.times.size() == 1 && !run.has_water()) return std::nullopt;
+    return run;
+}
+
+/// A row a record, as measurements.csv has them, with the date where there is one.
+int measure_records(const MeasureOptions& options, const ForeignRun& run) {
+    if (options.as_json) throw InputError("--json: is of one bed; records are a table (CSV)");
+    const Snapshot first = foreign_snapshot(run, 0);
+    MeasureSuite suite(measured_landform(first), first,
+                       {options.channel_area, first.scale.in_metres});
+    std::vector<std::string> cells{"step", fmt::format("time_{}", run.times.unit)};
+    if (run.times.date) cells.emplace_back("date");
+    for (const MeasureColumn& column : suite.columns())
+        cells.push_back(in_world_units({column, 0.0}, first.scale).column.name);
+    std::fputs(csv_line(cells).c_str(), stdout);
+    for (std::size_t record = 0; record < run.times.times.size(); ++record) {
+        const Snapshot bed = foreign_snapshot(run, record);
+        const std::vector<double> values = suite.row(bed);
+        cells = {fmt::format("{}", bed.step), csv_number(bed.time)};
+        if (run.times.date) cells.push_back(run.times.date(bed.time));
+        for (std::size_t k = 0; k < values.size(); ++k)
+            cells.push_back(
+                csv_number(in_world_units({suite.columns()[k], values[k]}, bed.scale).value));
+        std::fputs(csv_line(cells).c_str(), stdout);
+    }
+    return 0;
+}
+
 int perform(const MeasureOptions& asked) {
     MeasureOptions options = asked;
     std::optional<StandardInput> given;
@@ -216,6 +264,10 @@ int perform(const MeasureOptions& asked) {
         throw InputError(
             "fumon measure: --earlier and --steps go together: an earlier bed and the steps "
             "between the two");
+    }
+    if (!given) {
+        if (const std::optional<ForeignRun> run = foreign_series(options))
+            return measure_records(options, *run);
     }
     const std::vector<MeasuredValue> all = measured(options);
     options.bed = asked.bed;

@@ -137,4 +137,25 @@ void add_heights(CLI::App& command, std::string& heights) {
         ->type_name("LOW:HIGH");
 }
 
+void add_foreign_options(CLI::App& command, ForeignQuery& query) {
+    command
+        .add_option("--field", query.fields,
+                    "of another model's results: which variable or file is what, as depth=h, "
+                    "bed=dem.tif or depth='wd*.asc' (repeatable); of bed, depth, level, u, v, qx, "
+                    "qy, concentration")
+        ->type_name("QUANTITY=NAME")
+        ->allow_extra_args(false);
+    command
+        .add_option("--time-pattern", query.time_pattern,
+                    "of the dates in the names of a series of rasters: '%Y-%m-%d'")
+        ->type_name("PATTERN");
+    command
+        .add_option("--time-unit", query.time_unit,
+                    "of the numbers in the names of a series of rasters: s, min, h, d or yr")
+        ->type_name("UNIT");
+    add_number(command, "--cell-size", query.cell_size, 0.0, 1e6,
+               "metres, of rasters that do not say theirs")
+        ->type_name("METRES");
+}
+
 }  // namespace fumon

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/completion.h"
+#include "foreign/foreign_run.h"
 #include "run/terminal/status_line.h"
 #include "run/terminal/work_options.h"
 #include "shards/shard.h"
@@ -61,6 +62,9 @@ Share share_of(const ShardOptions& options, WorkOptions& work, StatusLine& statu
 
 /// --heights of a PNG terrain.
 void add_heights(CLI::App& command, std::string& heights);
+
+/// --field, --time-pattern, --time-unit and --cell-size of results of other models.
+void add_foreign_options(CLI::App& command, ForeignQuery& query);
 
 /// Throws InputError where standard output is a terminal, which `what` ("the picture is a PNG
 /// file") tells nothing and may upset; `example` is a file that may take it.

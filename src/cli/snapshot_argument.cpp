@@ -11,6 +11,7 @@
 #include "base/snapshots/ground_range.h"
 #include "cli/remark.h"
 #include "files/netcdf/netcdf_record.h"
+#include "foreign/open_run.h"
 #include "measure/suite.h"
 #include "scene/initial_bed.h"
 #include "scene/terrain_scene.h"
@@ -69,8 +70,34 @@ fs::path state_of_step(const fs::path& run, std::int64_t step) {
                     step, run.string(), (fs::path("beds") / bed.filename()).string()));
 }
 
+std::optional<Snapshot> foreign_state(const std::string& file, std::optional<std::int64_t> step) {
+    std::error_code fault;
+    if (!fs::is_regular_file(file, fault) || !is_foreign_run(file) || is_fields_file(file))
+        return std::nullopt;
+    std::optional<ForeignRun> run;
+    try {
+        run = open_foreign_run(file);
+    } catch (const InputError&) {
+        if (step) throw;
+        return std::nullopt;  // it may be terrain all the same, which reading it decides
+    }
+    if (!step && !run->has_water()) return std::nullopt;
+    const std::vector<std::int64_t>& steps = run->times.steps;
+    const auto found = std::ranges::find(steps, step.value_or(steps.back()));
+    if (found == steps.end())
+        throw InputError(fmt::format("--step {}: {} has records of the steps {} to {}", *step, file,
+                                     steps.front(), steps.back()));
+    return foreign_snapshot(*run, static_cast<std::size_t>(found - steps.begin()));
+}
+
 Snapshot read_snapshot(const std::string& file, const std::string& heights,
                        const std::vector<std::string>& settings, bool remarks) {
+    if (heights.empty() && settings.empty()) {
+        if (std::optional<Snapshot> state = foreign_state(file)) {
+            if (remarks) remark(fmt::format("{}: record {}, its last\n", file, state->step + 1));
+            return *std::move(state);
+        }
+    }
     const Scene scene = terrain_scene(file, heights, settings);
     InitialBed initial = make_initial_bed(scene);
     if (remarks && !initial.note.empty()) remark(initial.note + "\n");

@@ -12,6 +12,8 @@
 #include "files/terrain/terrain_format.h"
 #include "film/beds/stored_beds.h"
 #include "film/beds/stored_still.h"
+#include "foreign/file_numbers.h"
+#include "foreign/open_run.h"
 #include "outputs/output_claims.h"
 #include "outputs/own_file.h"
 #include "run/drawing.h"
@@ -39,6 +41,7 @@ struct StillOptions {
     std::optional<double> time;
     std::string heights;  ///< "low:high", metres of black and white of a PNG terrain
     bool force = false;
+    ForeignQuery foreign;
     WorkOptions work;
 };
 
@@ -46,7 +49,9 @@ void declare(CLI::App& command, StillOptions& options) {
     command
         .add_option("INPUT", options.input,
                     "a scene (.toml), the folder of a run that stored beds, or terrain: " +
-                        terrain_titles() + "; a scene or terrain on standard input is -")
+                        terrain_titles() +
+                        "; a scene or terrain on standard input is -; with --step or --time the "
+                        "results of another model (NetCDF, or 'PATTERN*' of files)")
         ->required();
     command
         .add_option("-o,--output", options.output,
@@ -68,12 +73,14 @@ void declare(CLI::App& command, StillOptions& options) {
         ->excludes(step);
     add_heights(command, options.heights);
     add_force(command, options.force);
+    add_foreign_options(command, options.foreign);
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
     add_examples(
         command,
         {{"fumon still terada-barchans --step 500 -o dunes.png", "a step of a scene"},
          {"fumon still out/run --step 500 -o dunes.png", "of a run that stored it, at once"},
+         {"fumon still flood.nc --step 12 -o flood.png", "of another model's results"},
          {"fumon still terrain.asc -o terrain.png", "a terrain file of your own"},
          {"fumon still terada-barchans -o dunes.webp --quality 80", "a small file"},
          {"fumon still terada-barchans -o dunes.exr", "its light, depth and fields"},
@@ -154,9 +161,10 @@ void claim_outputs(OutputClaims& claims, const Scene& scene, const std::string& 
 }
 
 /// A picture of a bed that a run has stored; nothing is computed.
-void draw_stored(const StillOptions& options, const fs::path& folder) {
+void draw_stored(const StillOptions& options, const std::string& run) {
     if (!options.heights.empty()) throw InputError(heights_of_scene);
-    const StoredBeds beds(folder, options.work.threads, options.work.settings);
+    const StoredBeds beds =
+        StoredBeds::of_argument(run, options.work.threads, options.work.settings, options.foreign);
     std::size_t number = beds.beds().size() - 1;
     if (options.step) number = bed_of_step(beds, *options.step);
     if (options.time) number = bed_of_time(beds, *options.time);
@@ -189,7 +197,12 @@ int perform(const StillOptions& asked) {
     const bool asks_step = options.step || options.time;
     const std::optional<fs::path> run = run_folder_of(options.input);
     if (run && (asks_step || fs::is_directory(options.input))) {
-        draw_stored(options, *run);
+        draw_stored(options, run->string());
+        return 0;
+    }
+    const bool is_run = asks_step || !options.foreign.fields.empty() || is_pattern(options.input);
+    if (is_run && is_foreign_run(options.input)) {
+        draw_stored(options, options.input);
         return 0;
     }
     std::optional<StandardInput> given;

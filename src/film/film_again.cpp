@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -62,6 +64,28 @@ class BedWriter : public StepObserver {
     std::vector<StoredBed> beds_;
 };
 
+/// Opens another model's run again: from where the film was made, or from the film's folder. Says
+/// where its files are others now.
+StoredBeds opened_again(const FilmedRun& run, const FilmAgain& wanted, StatusLine& status) {
+    const fs::path first = run.inputs.empty() ? fs::path() : fs::path(run.inputs.front().path);
+    std::error_code fault;
+    fs::path folder = first.parent_path();
+    if (!fs::exists(first, fault)) folder = wanted.film.parent_path();
+    StoredBeds beds =
+        StoredBeds::of_files((folder / run.name).string(), wanted.work.threads, {}, *run.foreign);
+    for (const InputFile& then : run.inputs) {
+        const auto now = std::ranges::find_if(beds.inputs(), [&](const InputFile& input) {
+            return fs::path(input.path).filename() == fs::path(then.path).filename();
+        });
+        if (now == beds.inputs().end() || now->hash != then.hash)
+            status.note(
+                fmt::format("{}: is not the file that the film was made of: its content "
+                            "has changed",
+                            then.path));
+    }
+    return beds;
+}
+
 /// Simulates a run into a folder. Nothing when interrupted.
 std::optional<StoredBeds> stored_again(const FilmedRun& run, const FilmAgain& wanted,
                                        const fs::path& folder) {
@@ -109,6 +133,10 @@ int make_film_again(const FilmAgain& wanted) {
     const ScratchFolder scratch;
     std::vector<StoredBeds> stored;
     for (const FilmedRun& run : runs) {
+        if (run.foreign) {
+            stored.push_back(opened_again(run, wanted, status));
+            continue;
+        }
         const fs::path folder = scratch.path() / std::to_string(stored.size() + 1);
         fs::create_directory(folder);
         if (status.due())

@@ -70,6 +70,11 @@ std::string filmed_runs_text(const FilmRuns& runs) {
         list.push_back({{"name", fs::path(beds.name()).filename().string()},
                         {"scene", resolved_scene(beds.scene(), beds.inputs())},
                         {"inputs", inputs}});
+        if (const std::optional<ForeignQuery>& query = beds.foreign_query())
+            list.back()["foreign"] = {{"fields", query->fields},
+                                      {"time_pattern", query->time_pattern},
+                                      {"time_unit", query->time_unit},
+                                      {"cell_size", query->cell_size}};
     }
     return json_text(list);
 }
@@ -81,6 +86,11 @@ std::vector<FilmedRun> filmed_runs(const FilmTexts& texts, const std::string& fi
             FilmedRun run{item.at("name"), item.at("scene"), {}, text_of(texts, version_keyword)};
             for (const auto& input : item.at("inputs"))
                 run.inputs.push_back({input.at("path"), input.at("sha256")});
+            if (item.contains("foreign")) {
+                const auto& query = item.at("foreign");
+                run.foreign = ForeignQuery{query.at("fields"), query.at("time_pattern"),
+                                           query.at("time_unit"), query.at("cell_size")};
+            }
             runs.push_back(std::move(run));
         }
     } catch (const nlohmann::json::exception&) {

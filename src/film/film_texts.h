@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "film/beds/film_runs.h"
+#include "foreign/foreign_run.h"
 #include "scene/initial_bed.h"
 
 namespace fumon {
@@ -19,7 +21,8 @@ struct FilmedRun {
     std::string name;   ///< what the film called it
     std::string scene;  ///< resolved, as TOML
     std::vector<InputFile> inputs;
-    std::string version;  ///< of the fumon that cut the film
+    std::string version;                    ///< of the fumon that cut the film
+    std::optional<ForeignQuery> foreign{};  ///< of another model: how it was asked for
 };
 
 /// The sidecar of a file that `fumon film` made: FILE.json.

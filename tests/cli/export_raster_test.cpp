@@ -135,9 +135,9 @@ TEST_F(ExportRaster, WhatIsNotThereIsRefused) {
     EXPECT_EQ(errors("x.stl", "slope"),
               "--field slope: a field is written as a grid: .tif, .cog.tif, .asc or .nc, not as "
               "stl\n");
-    EXPECT_EQ(
-        write("dem.asc", "x.asc", "slope", {"--step", "0"}).errors,
-        "--step 0: dem.asc has a single record; --step takes a run's folder or its fields.nc\n");
+    EXPECT_EQ(write("dem.asc", "x.asc", "slope", {"--step", "0"}).errors,
+              "--step 0: dem.asc has a single record; --step takes a run's folder, its "
+              "fields.nc, or the NetCDF of another model\n");
     EXPECT_EQ(fumon({"export", "dem.asc", "-o", "x.pvd", "--step", "0"}, folder_.path()).errors,
               "--step: a .pvd holds all records; name a .vts for one of them\n");
 }

@@ -195,7 +195,10 @@ std::string TimeText::in(const std::string& wanted, double time) const {
     return own(*factor * time);
 }
 
-TimeText time_text_of(const Scene& scene, const Snapshot& first) {
+namespace {
+
+/// Of a run of fumon's own.
+TimeText time_text_of_steps(const Scene& scene, const Snapshot& first) {
     constexpr int most_decimals = 6;
     const std::int64_t last = scene.run.steps;
     const auto steps = static_cast<double>(last);
@@ -203,6 +206,14 @@ TimeText time_text_of(const Scene& scene, const Snapshot& first) {
     const std::optional<double> length = length_of_step(scene);
     if (!length) return {first.time_unit, TimeText::by_size, last, {}};
     return {first.time_unit, decimals_of(*length, most_decimals), last, steps * *length};
+}
+
+}  // namespace
+
+TimeText time_text_of(const Scene& scene, const Snapshot& first) {
+    TimeText text = time_text_of_steps(scene, first);
+    text.date = first.date;
+    return text;
 }
 
 std::string filled_text(const std::string& text, const Scene& scene, const TimeText& times,
@@ -213,6 +224,10 @@ std::string filled_text(const std::string& text, const Scene& scene, const TimeT
         if (name == "time") return times(time);
         if (constexpr std::string_view in_unit = "time:"; name.starts_with(in_unit))
             return times.in(name.substr(in_unit.size()), time);
+        if (name == "date") {
+            if (times.date) return times.date(time);
+            throw InputError("{date}: the times of this run have no date; write {time}");
+        }
         if (name == "seed") return fmt::format("{}", scene.seed);
         return shown_value(scene, name);
     });
@@ -232,6 +247,9 @@ std::unique_ptr<Overlay> make_title_overlay(const OverlayScene& on, std::size_t 
 }
 
 std::unique_ptr<Overlay> make_time_overlay(const OverlayScene& on, std::size_t number) {
+    if (on.first.date)
+        return std::make_unique<TextOverlay>(on, number, chosen_text(on, number, "{date}"), 1.0,
+                                             false);
     const bool steps_only = on.first.time_unit == "steps";
     const std::string usual = steps_only ? word("step {step}") : word("t = {time},  step {step}");
     return std::make_unique<TextOverlay>(on, number, chosen_text(on, number, usual), 1.0, false);

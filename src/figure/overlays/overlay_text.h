@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -18,6 +19,8 @@ struct TimeText {
     std::int64_t last = 0;  ///< the run's last step
     /// The run's end; none where the model alone knows how long its steps take.
     std::optional<double> end{};
+    /// As Snapshot::date.
+    std::function<std::string(double time)> date{};
 
     /// "300 s"; "1,200 steps".
     [[nodiscard]] std::string operator()(double time) const;
@@ -29,8 +32,8 @@ struct TimeText {
 /// The time text of a scene's run; `first` gives the unit.
 TimeText time_text_of(const Scene& scene, const Snapshot& first);
 
-/// A text with {title}, {seed}, {step}, {time}, {time:h} and {key} filled in, for a step. Throws
-/// InputError without a place for other names.
+/// A text with {title}, {seed}, {step}, {time}, {time:h}, {date} and {key} filled in, for a step.
+/// Throws InputError without a place for other names.
 std::string filled_text(const std::string& text, const Scene& scene, const TimeText& times,
                         std::int64_t step, double time);
 

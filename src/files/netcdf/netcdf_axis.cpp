@@ -59,7 +59,7 @@ struct Unit {
 
 Unit unit_of(const NetcdfInput& input, int variable, const std::string& name) {
     const std::string unit = input.text(variable, "units").value_or("");
-    if (unit.empty()) return {};
+    if (unit.empty() || unit == "-" || unit == "?") return {};  // as Landlab writes none
     if (unit == "1") return {AxisUnit::sites};
     if (is_degrees(unit)) return {AxisUnit::degrees};
     if (const auto metres = metres_per_unit(unit)) return {AxisUnit::metres, *metres};

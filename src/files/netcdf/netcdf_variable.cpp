@@ -147,18 +147,40 @@ int choose(const NetcdfInput& input, const std::string& wanted) {
 
 }  // namespace
 
-BedVariable choose_bed_variable(const NetcdfInput& input, const std::string& wanted,
-                                const WantedRecord& record) {
+namespace {
+
+/// A variable without its record.
+BedVariable bed_variable(const NetcdfInput& input, int variable) {
     BedVariable bed;
-    bed.variable = choose(input, wanted);
-    bed.name = input.variable_name(bed.variable);
-    if (const std::string why = obstacle(input, bed.variable); !why.empty())
-        input.refuse(fmt::format("{} {}", bed.name, why), layout_help);
-    const Sides sides = sides_of(input, bed.variable);
+    bed.variable = variable;
+    bed.name = input.variable_name(variable);
+    const Sides sides = sides_of(input, variable);
     bed.x = sides.x;
     bed.y = sides.y;
     bed.has_records = sides.records.has_value();
     bed.records = sides.records.value_or(-1);
+    return bed;
+}
+
+}  // namespace
+
+std::vector<BedVariable> map_variables(const NetcdfInput& input) {
+    std::vector<BedVariable> maps;
+    for (const int variable : candidates(input)) {
+        maps.push_back(bed_variable(input, variable));
+        BedVariable& map = maps.back();
+        if (map.has_records)
+            map.record = std::max<std::size_t>(1, input.dimension_length(map.records)) - 1;
+    }
+    return maps;
+}
+
+BedVariable choose_bed_variable(const NetcdfInput& input, const std::string& wanted,
+                                const WantedRecord& record) {
+    const int variable = choose(input, wanted);
+    if (const std::string why = obstacle(input, variable); !why.empty())
+        input.refuse(fmt::format("{} {}", input.variable_name(variable), why), layout_help);
+    BedVariable bed = bed_variable(input, variable);
     if (!bed.has_records && record.number > 0)
         input.refuse(fmt::format("{} has no records", bed.name), "leave bed.record out");
     if (!bed.has_records) return bed;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "files/netcdf/netcdf_input.h"
 
@@ -19,6 +20,10 @@ struct BedVariable {
     std::size_t record = 0;    ///< from 0
     std::string note;          ///< what was chosen of several records; or empty
 };
+
+/// All variables that may be read as beds or other maps, of their last records, in the file's
+/// order.
+std::vector<BedVariable> map_variables(const NetcdfInput& input);
 
 /// Which of the records of a variable over (time, y, x): one of them, from 1, or 0 for the last;
 /// the last only where there is but one, if `must_name`.

@@ -171,8 +171,9 @@ void place_by_transform(const NetcdfInput& input, const BedVariable& bed, Netcdf
     set(y, transform[3], transform[5]);
 }
 
-/// Axes by coordinates of one dimension, by such of two, or by GDAL's transform.
-std::pair<NetcdfAxis, NetcdfAxis> axes_of(const NetcdfInput& input, const BedVariable& bed) {
+}  // namespace
+
+std::pair<NetcdfAxis, NetcdfAxis> netcdf_axes(const NetcdfInput& input, const BedVariable& bed) {
     refuse_rotated_pole(input, bed);
     NetcdfAxis x = read_netcdf_axis(input, bed.x);
     NetcdfAxis y = read_netcdf_axis(input, bed.y);
@@ -184,6 +185,8 @@ std::pair<NetcdfAxis, NetcdfAxis> axes_of(const NetcdfInput& input, const BedVar
     place_by_transform(input, bed, x, y);
     return {std::move(x), std::move(y)};
 }
+
+namespace {
 
 /// Whether a projected system counts in a unit of so many metres.
 bool counts_in(const std::string& crs, double metres) {
@@ -226,11 +229,13 @@ std::optional<GeoReference> place_of_grid(const NetcdfInput& input, const BedVar
                         y.spacing / unit,   in_degrees,          std::move(crs)};
 }
 
-Terrain read_bed(const NetcdfInput& input, const TerrainQuery& query) {
+}  // namespace
+
+Terrain read_netcdf_bed(const NetcdfInput& input, const TerrainQuery& query) {
     const BedVariable bed =
         choose_bed_variable(input, query.variable, {query.record, query.must_name_record});
     check_size(input, bed);
-    auto [x, y] = axes_of(input, bed);
+    auto [x, y] = netcdf_axes(input, bed);
     Terrain terrain;
     terrain.note = bed.note;
     terrain.heights = read_cells(input, bed);
@@ -245,6 +250,8 @@ Terrain read_bed(const NetcdfInput& input, const TerrainQuery& query) {
     }
     return terrain;
 }
+
+namespace {
 
 Terrain read_netcdf_format(const std::filesystem::path& file, const TerrainQuery& query) {
     if (!is_netcdf(start_of_input_file(file, netcdf_signature_length))) {
@@ -261,7 +268,7 @@ Terrain read_netcdf_format(const std::filesystem::path& file, const TerrainQuery
 Terrain read_netcdf_bed(const std::filesystem::path& file, const TerrainQuery& query) {
     const NetcdfLock lock;
     try {
-        return read_bed(NetcdfInput(file), query);
+        return read_netcdf_bed(NetcdfInput(file), query);
     } catch (const NetcdfFault& fault) {
         throw InputError(fmt::format(
             "{}: cannot be read as NetCDF: {}; it may be cut short, damaged, or still being "

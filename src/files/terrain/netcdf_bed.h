@@ -3,7 +3,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "files/netcdf/netcdf_axis.h"
+#include "files/netcdf/netcdf_input.h"
+#include "files/netcdf/netcdf_variable.h"
 #include "files/terrain/terrain_file.h"
 #include "files/terrain/terrain_format.h"
 
@@ -27,6 +31,13 @@ namespace fumon {
 /// variables, an unknown name, more than `largest_grid_cells` cells, uneven coordinates, units that
 /// are no lengths, infinite heights, and where no cell holds data.
 Terrain read_netcdf_bed(const std::filesystem::path& file, const TerrainQuery& query);
+
+/// The same of a file that is open, whose caller holds the NetcdfLock.
+Terrain read_netcdf_bed(const NetcdfInput& input, const TerrainQuery& query);
+
+/// The axes x and y of a variable: by coordinates of one dimension, by such of two, or by GDAL's
+/// transform. Throws InputError as read_netcdf_bed, NetcdfFault. The caller holds the NetcdfLock.
+std::pair<NetcdfAxis, NetcdfAxis> netcdf_axes(const NetcdfInput& input, const BedVariable& bed);
 
 /// NetCDF files as a terrain format.
 TerrainFormat netcdf_format();

@@ -76,7 +76,8 @@ RunArrangement arrangement_of(const Film& film) {
     return film.excerpts.empty() ? RunArrangement::together : RunArrangement::in_turn;
 }
 
-FilmRuns::FilmRuns(const std::vector<std::string>& folders, int threads, RunArrangement showing) {
+FilmRuns::FilmRuns(const std::vector<std::string>& folders, int threads, RunArrangement showing,
+                   const ForeignQuery& query) {
     const auto limit = [&](std::size_t runs, const std::string& what) {
         const bool together = showing == RunArrangement::together;
         const std::size_t most = together ? most_panes : std::size_t{most_joined_runs};
@@ -89,7 +90,9 @@ FilmRuns::FilmRuns(const std::vector<std::string>& folders, int threads, RunArra
     for (const std::string& folder : folders) {
         const std::size_t runs = runs_of_sweep(folder);
         limit(runs, fmt::format("{}: holds {} runs", folder, runs));
-        if (runs == 0) beds_.push_back(std::make_shared<const StoredBeds>(folder, threads));
+        if (runs == 0)
+            beds_.push_back(std::make_shared<const StoredBeds>(
+                StoredBeds::of_argument(folder, threads, {}, query)));
         for (std::size_t number = 1; number <= runs; ++number)
             beds_.push_back(std::make_shared<const StoredBeds>(
                 StoredBeds::of_sweep(folder, static_cast<std::int64_t>(number), threads)));

@@ -29,11 +29,12 @@ RunArrangement arrangement_of(const Film& film);
 /// The runs that a film shows: one, or several in step or in turn.
 class FilmRuns {
   public:
-    /// Folders of runs and of sweeps, each of which stands for all its runs. Throws InputError as
+    /// Folders of runs and of sweeps, each of which stands for all its runs, and files of other
+    /// models' runs. Throws InputError as
     /// StoredBeds, and for more than nine runs (24 in turn) and, together, for runs whose grids
     /// differ.
     FilmRuns(const std::vector<std::string>& folders, int threads,
-             RunArrangement showing = RunArrangement::together);
+             RunArrangement showing = RunArrangement::together, const ForeignQuery& query = {});
 
     /// Of runs that are read already, at least one. Throws InputError where their grids differ.
     explicit FilmRuns(std::vector<StoredBeds> beds,

@@ -252,6 +252,10 @@ StoredBeds StoredBeds::recorded(std::string name, fs::path folder, PreparedRun r
 }
 
 Snapshot StoredBeds::read(std::size_t number, const Snapshot& outline) const {
+    if (foreign_) {
+        const bool all = outline.fields.size() == first_.fields.size();
+        return all ? foreign_snapshot(*foreign_, number) : foreign_bed(*foreign_, number);
+    }
     const StoredBed& bed = beds_.at(number);
     if (bed.file.empty()) {
         Snapshot stored = read_fields_snapshot(folder_ / fields_, bed.step, outline);
@@ -295,6 +299,7 @@ std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string
         rows.resize(beds_.size());
         return rows;
     }
+    if (foreign_) return measured_rows(names);
     const fs::path file = folder_ / measurements_;
     std::error_code fault;
     if (!fs::is_regular_file(file, fault))
@@ -335,6 +340,7 @@ std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string
 }
 
 std::vector<fs::path> StoredBeds::files() const {
+    if (foreign_) return foreign_->files;
     std::vector<fs::path> files{manifest_, folder_ / fields_, folder_ / measurements_};
     for (const StoredBed& bed : beds_)
         if (!bed.file.empty()) files.push_back(folder_ / bed.file);

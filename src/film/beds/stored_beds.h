@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/snapshot.h"
+#include "foreign/foreign_run.h"
 #include "measure/measured_rows.h"
 #include "run/prepared_run.h"
 
@@ -38,6 +39,17 @@ class StoredBeds {
     static StoredBeds of_sweep(const std::filesystem::path& folder, std::int64_t number,
                                int threads);
 
+    /// The same of a run that is no folder: of another model's files (foreign/open_run.h), or of
+    /// fumon's own fields.nc without its folder. Throws InputError.
+    static StoredBeds of_files(const std::string& argument, int threads,
+                               const std::vector<std::string>& settings = {},
+                               const ForeignQuery& query = {});
+
+    /// A folder or what is none, whichever it is.
+    static StoredBeds of_argument(const std::string& argument, int threads,
+                                  const std::vector<std::string>& settings = {},
+                                  const ForeignQuery& query = {});
+
     /// The same of a run that was simulated into a folder just now. `first`: before its first step;
     /// `written`: the beds alone that it wrote, for a run without fields.nc.
     static StoredBeds recorded(std::string name, std::filesystem::path folder, PreparedRun run,
@@ -65,6 +77,9 @@ class StoredBeds {
     /// The files that are read.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
+    /// Where the run is another model's, how it was asked for; else nothing.
+    [[nodiscard]] const std::optional<ForeignQuery>& foreign_query() const { return query_; }
+
   private:
     struct Kept {
         std::size_t number = 0;
@@ -72,7 +87,13 @@ class StoredBeds {
     };
 
     StoredBeds() = default;
+    static StoredBeds of_own_fields(const std::filesystem::path& file, int threads,
+                                    const std::vector<std::string>& settings);
+    static StoredBeds of_foreign(ForeignRun run, const ForeignQuery& query,
+                                 const std::vector<std::string>& settings);
     [[nodiscard]] Snapshot read(std::size_t number, const Snapshot& outline) const;
+    [[nodiscard]] std::vector<MeasuredRows> measured_rows(
+        const std::vector<std::string>& names) const;
 
     std::string name_;
     std::filesystem::path folder_;
@@ -82,6 +103,8 @@ class StoredBeds {
     PreparedRun run_;
     Snapshot first_;
     std::vector<StoredBed> beds_;
+    std::optional<ForeignRun> foreign_;  ///< another model's, from which all is read
+    std::optional<ForeignQuery> query_;
     mutable std::optional<Snapshot> bare_;  ///< the first one without what heights() leaves out
     mutable std::vector<Kept> kept_;
     mutable std::vector<Kept> kept_heights_;

@@ -32,6 +32,10 @@ std::size_t bed_of_step(const StoredBeds& beds, std::int64_t step) {
     const auto after = std::ranges::lower_bound(stored, step, {}, &StoredBed::step);
     if (after != stored.end() && after->step == step)
         return static_cast<std::size_t>(after - stored.begin());
+    if (beds.foreign_query())
+        throw InputError(
+            fmt::format("{}: has no record of step {}; it has those of the steps {} to {}",
+                        beds.name(), step, stored.front().step, stored.back().step));
     std::string nearest;
     if (after != stored.begin()) nearest = fmt::format("{}", (after - 1)->step);
     if (after != stored.end())

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "files/netcdf/netcdf_input.h"
+#include "files/netcdf/netcdf_variable.h"
+#include "foreign/quantity.h"
+#include "foreign/variable_names.h"
+
+namespace fumon {
+
+/// A map that a file holds.
+struct ForeignMap {
+    BedVariable variable;
+    std::string standard_name;
+    std::string unit;
+    std::string dimensions;  ///< "time, n, m"
+    bool over_time = false;  ///< along the run's dimension of records
+};
+
+/// A map that was chosen for a quantity.
+struct ChosenMap {
+    Quantity quantity = Quantity::bed;
+    ForeignMap map;
+    std::string reason;
+    bool grows_downward = false;  ///< by the table of models
+};
+
+/// The maps that may be fields of a run with these records (−1: none): those along them or along no
+/// records.
+std::vector<ForeignMap> maps_of(const NetcdfInput& input, int records);
+
+/// The dimension of a run's records: that of most maps, of a time where there is one; −1 where no
+/// map has records.
+int dimension_of_records(const NetcdfInput& input);
+
+/// The model that wrote a file: by its attributes' words, else that of which most names fit; null
+/// where none does.
+const ForeignModel* model_of_file(const NetcdfInput& input, const std::vector<ForeignMap>& maps);
+
+/// Which map is which quantity. `named`: by the user. Throws InputError, with the candidates, for a
+/// name that the file has not, where two maps fit one quantity, and where none is the bed, unless
+/// `has_bed` of another file.
+std::vector<ChosenMap> choose_maps(const NetcdfInput& input, const std::vector<ForeignMap>& maps,
+                                   const ForeignModel* model,
+                                   const std::map<Quantity, std::string>& named, bool has_bed);
+
+}  // namespace fumon

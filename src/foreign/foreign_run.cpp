@@ -1,0 +1,117 @@
+#include "foreign/foreign_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.h"
+
+namespace fumon {
+
+namespace {
+
+/// NaN, where a file has no value, as 0.
+void clear_missing(Grid& values) {
+    for (double& value : values.values())
+        if (!std::isfinite(value)) value = 0.0;
+}
+
+Grid read_of(const ForeignRun& run, Quantity quantity, std::size_t record) {
+    const ForeignField& field = *run.find(quantity);
+    Grid values = field.read(record);
+    if (values.nx() == run.nx && values.ny() == run.ny) return values;
+    throw InputError(
+        fmt::format("{}: {} has {} x {} cells, the bed {} x {}; all fields of a run "
+                    "need the same grid",
+                    run.name, field.name, values.nx(), values.ny(), run.nx, run.ny));
+}
+
+/// The depth of a record; NaN where the file has none.
+Grid depth_of(const ForeignRun& run, const Grid& bed, std::size_t record) {
+    if (run.find(Quantity::depth) != nullptr) return read_of(run, Quantity::depth, record);
+    Grid depth = read_of(run, Quantity::level, record);
+    for (std::size_t i = 0; i < depth.size(); ++i) depth.values()[i] -= bed.values()[i];
+    return depth;
+}
+
+/// A velocity, or the discharge per width over the depth.
+Grid velocity_of(const ForeignRun& run, Quantity velocity, Quantity flux, const Grid& depth,
+                 std::size_t record) {
+    const bool known = run.find(velocity) != nullptr;
+    if (!known && run.find(flux) == nullptr) return {depth.nx(), depth.ny()};
+    Grid values = read_of(run, known ? velocity : flux, record);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        double& value = values.values()[i];
+        const double water = depth.values()[i];
+        if (!(water > 0.0)) {
+            value = 0.0;
+        } else if (!known) {
+            value /= water;
+        }
+    }
+    clear_missing(values);
+    return values;
+}
+
+Grid bed_values(const ForeignRun& run, std::size_t record) {
+    if (run.find(Quantity::bed) != nullptr) return read_of(run, Quantity::bed, record);
+    Grid bed = read_of(run, Quantity::level, record);
+    const Grid depth = read_of(run, Quantity::depth, record);
+    for (std::size_t i = 0; i < bed.size(); ++i) bed.values()[i] -= depth.values()[i];
+    return bed;
+}
+
+}  // namespace
+
+const ForeignField* ForeignRun::find(Quantity quantity) const {
+    const auto found = std::ranges::find(fields, quantity, &ForeignField::quantity);
+    return found == fields.end() ? nullptr : &*found;
+}
+
+bool ForeignRun::has_water() const {
+    return find(Quantity::depth) != nullptr || find(Quantity::level) != nullptr;
+}
+
+Snapshot foreign_bed(const ForeignRun& run, std::size_t record) {
+    Snapshot snapshot;
+    snapshot.step = run.times.steps.at(record);
+    snapshot.time = run.times.times.at(record);
+    snapshot.time_unit = run.times.unit;
+    snapshot.date = run.times.date;
+    snapshot.scale = run.scale;
+    snapshot.landform = run.has_water() ? Landform::water : Landform::terrain;
+    snapshot.bed = bed_values(run, record);
+    std::size_t missing = 0;
+    for (double& height : snapshot.bed.values()) {
+        if (std::isfinite(height)) continue;
+        if (snapshot.nodata.empty()) snapshot.nodata = Mask(run.nx, run.ny);
+        const auto cell = static_cast<std::size_t>(&height - snapshot.bed.data());
+        snapshot.nodata.values()[cell] = 1;
+        height = 0.0;
+        ++missing;
+    }
+    if (missing == snapshot.bed.size())
+        throw InputError(fmt::format("{}: record {} has no bed in any cell; is it cut short?",
+                                     run.name, record + 1));
+    return snapshot;
+}
+
+Snapshot foreign_snapshot(const ForeignRun& run, std::size_t record) {
+    Snapshot snapshot = foreign_bed(run, record);
+    if (!run.has_water()) return snapshot;
+    Grid depth = depth_of(run, snapshot.bed, record);
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        const bool outside = !snapshot.nodata.empty() && snapshot.nodata.values()[i] != 0;
+        if (outside || !(depth.values()[i] > run.dry)) depth.values()[i] = 0.0;
+    }
+    Grid u = velocity_of(run, Quantity::velocity_x, Quantity::flux_x, depth, record);
+    Grid v = velocity_of(run, Quantity::velocity_y, Quantity::flux_y, depth, record);
+    snapshot.fields.push_back({"water_depth", "depth of the water", "m", std::move(depth)});
+    snapshot.fields.push_back({"velocity_x", "velocity along x", "m/s", std::move(u)});
+    snapshot.fields.push_back({"velocity_y", "velocity along y", "m/s", std::move(v)});
+    return snapshot;
+}
+
+}  // namespace fumon

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/grid.h"
+#include "base/snapshot.h"
+#include "foreign/quantity.h"
+
+namespace fumon {
+
+/// A field of another model's run, as it was recognised.
+struct ForeignField {
+    Quantity quantity = Quantity::bed;
+    std::string name;        ///< the variable, or the pattern of its files
+    std::string unit;        ///< in the file; empty where it names none
+    std::string dimensions;  ///< "time, n, m"; empty for files of their own
+    std::string reason;      ///< how it was known: "CF standard name altitude"
+    bool changes = false;    ///< with time
+    /// The values of a record in fumon's unit, row 0 southernmost; NaN where there are none. Throws
+    /// InputError for a damaged file.
+    std::function<Grid(std::size_t record)> read;
+};
+
+/// When the records of a run were taken.
+struct ForeignTimes {
+    std::vector<double> times;        ///< in `unit`, rising
+    std::vector<std::int64_t> steps;  ///< 0, 1 … where the file has no steps of its own
+    std::string unit = "steps";       ///< as Snapshot::time_unit
+    /// The date of a time; empty where the file's times have none.
+    std::function<std::string(double time)> date{};
+    std::string note{};  ///< "no time is known: records are counted"
+};
+
+/// A run of another model as its files hold it: what was recognised, and how to read a record.
+struct ForeignRun {
+    std::string name;   ///< for messages: as it was given
+    std::string model;  ///< "XBeach"; empty where it is not known
+    std::string title;  ///< as the file has it; else its name
+    std::vector<std::filesystem::path> files;
+    int nx = 0;
+    int ny = 0;
+    WorldScale scale;
+    std::vector<ForeignField> fields;  ///< at most one of a quantity, the bed among them
+    std::vector<std::string> others;   ///< further maps: "hmax (timemax, n, m)"
+    ForeignTimes times;
+    std::vector<double> numbers{};  ///< of a series of rasters: those in their names
+    double dry = 0.0;               ///< metres, the least depth of water
+    std::vector<std::string> notes;
+
+    [[nodiscard]] const ForeignField* find(Quantity quantity) const;
+    [[nodiscard]] bool has_water() const;
+};
+
+/// What a user says of a run of another model beside its file.
+struct ForeignQuery {
+    std::vector<std::string> fields{};  ///< "depth=h", "bed=dem.tif", "bed=grid.nc:zb"
+    std::string time_pattern{};         ///< of dates in names of files: "%Y-%m-%d"
+    std::string time_unit{};            ///< of numbers in names of files: "min"
+    double cell_size = 0.0;             ///< metres, of rasters that do not say theirs; 0: unknown
+};
+
+/// The snapshot of a record. Cells without a bed are its no-data cells; water shallower than the
+/// run's `dry` is none. Velocities are those of the file, or its discharges over the depth, or 0.
+/// Without a bed of its own it is the level minus the depth. Throws InputError for a damaged file
+/// and for a record without any bed.
+Snapshot foreign_snapshot(const ForeignRun& run, std::size_t record);
+
+/// The bed of a record alone.
+Snapshot foreign_bed(const ForeignRun& run, std::size_t record);
+
+}  // namespace fumon
