@@ -114,7 +114,7 @@ TEST(ViewPage, TheNewestWishOfAClientWins) {
     ViewPage page(*subject, {});
     int first = 0;
     std::thread busy([&] {
-        post(page, "picture", {{"client", "a"}, {"width", 3000}, {"height", 2000}});
+        post(page, "picture", {{"client", "a"}, {"width", 1600}, {"height", 1000}});
     });
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     std::thread old([&] { first = post(page, "picture", {{"client", "b"}}).status; });
@@ -169,11 +169,13 @@ TEST(ViewPage, ChangesNothingButTheLook) {
         EXPECT_THROW(post(page, "picture", {{"settings", {setting}}}), InputError) << setting;
         EXPECT_TRUE(read(post(page, "check", {{"settings", {setting}}})).contains("fault"));
     }
-    const json large = {{"width", 16384}, {"height", 16384}};
-    EXPECT_THROW(post(page, "picture", large), InputError);
-    ViewOptions trusting;
-    trusting.trust = true;
-    EXPECT_NO_THROW(ViewPage(*subject, trusting).answer({"POST", "check", {}, large.dump()}));
+    const json large = {{"settings", {"image.width=16384", "image.height=16384"}}};
+    EXPECT_TRUE(read(post(page, "check", large)).contains("fault"));
+    EXPECT_THROW(post(page, "picture", {{"width", 16384}, {"height", 16384}}), InputError);
+    ViewOptions options;
+    options.trust = true;
+    ViewPage trusting(*subject, options);
+    EXPECT_TRUE(read(post(trusting, "check", large)).empty());
 }
 
 TEST(ViewPage, ServesItsOwnFilesAlone) {
