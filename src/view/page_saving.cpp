@@ -24,10 +24,11 @@ std::string saved_name(const std::string& name, std::span<const std::string_view
                           return is_letter(c) || c == '.' || c == '-' || c == '_' || c == ' ';
                       });
     if (!fits) {
-        throw InputError(fmt::format(
-            "\"{}\" is no name for a file here; take letters, digits, '.', '-' and '_', without a "
-            "folder",
-            name));
+        throw InputError(
+            fmt::format("\"{}\" is not a name for a file here; take letters, digits, '.', '-' and "
+                        "'_', without a "
+                        "folder",
+                        name));
     }
     check_ending(name, "the file", endings);
     return name;
