@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -123,6 +124,22 @@ TEST(ViewPage, TheNewestWishOfAClientWins) {
     old.join();
     busy.join();
     EXPECT_EQ(first, 409);
+}
+
+TEST(ViewPage, ADraftWaitsForNoPicture) {
+    const auto subject = viewed_subject();
+    ViewPage page(*subject, {});
+    const json small = {{"client", "b"}, {"draft", true}, {"width", 48}, {"height", 48}};
+    EXPECT_EQ(post(page, "picture", small).status, 200);
+    std::atomic<bool> done{false};
+    std::thread busy([&] {
+        post(page, "picture", {{"client", "a"}, {"width", 3000}, {"height", 2000}});
+        done = true;
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    EXPECT_EQ(post(page, "picture", small).status, 200);
+    EXPECT_FALSE(done);
+    busy.join();
 }
 
 TEST(ViewPage, TellsOfEveryKeyOfTheLook) {

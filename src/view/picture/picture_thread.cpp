@@ -49,15 +49,24 @@ std::string media_type(PictureFormat format) {
 
 PictureThread::PictureThread(ViewSubject& subject, const LookChanges& changes,
                              const WorkOptions& work)
-    : subject_(subject), changes_(changes), options_(work), thread_([this] { this->work(); }) {}
+    : subject_(subject),
+      changes_(changes),
+      options_(work),
+      drafts_([this] { this->work(true); }),
+      pictures_([this] { this->work(false); }) {}
 
 PictureThread::~PictureThread() {
     {
         const std::lock_guard lock(mutex_);
         ended_ = true;
+        ViewPicture given_up;
+        given_up.outcome = WishOutcome::superseded;
+        for (Waiting& left : waiting_) left.promise.set_value(given_up);
+        waiting_.clear();
     }
     wake_.notify_all();
-    thread_.join();
+    drafts_.join();
+    pictures_.join();
 }
 
 ViewPicture PictureThread::draw(PictureWish wish) {
@@ -82,7 +91,7 @@ ViewPicture PictureThread::draw(PictureWish wish) {
         waiting_.push_back({std::move(wish), {}});
         made = waiting_.back().promise.get_future();
     }
-    wake_.notify_all();
+    wake_.notify_all();  // either thread may be meant
     return made.get();
 }
 
@@ -140,16 +149,18 @@ ViewPicture PictureThread::drawn(const PictureWish& wish, DraftPainter& drafts, 
     return picture;
 }
 
-void PictureThread::work() {
+void PictureThread::work(bool of_drafts) {
     WorkerPool pool(options_.threads, "fumon-view");
     DraftPainter drafts(options_.backend, pool);
     std::unique_lock lock(mutex_);
     for (;;) {
-        wake_.wait(lock, [&] { return ended_ || !waiting_.empty(); });
-        if (ended_) break;
-        auto next =
-            std::ranges::find_if(waiting_, [](const Waiting& one) { return one.wish.draft; });
-        if (next == waiting_.end()) next = waiting_.begin();
+        auto next = waiting_.end();
+        wake_.wait(lock, [&] {
+            next = std::ranges::find_if(
+                waiting_, [&](const Waiting& one) { return one.wish.draft == of_drafts; });
+            return ended_ || next != waiting_.end();
+        });
+        if (ended_) return;
         Waiting taken = std::move(*next);
         waiting_.erase(next);
         lock.unlock();
@@ -160,10 +171,6 @@ void PictureThread::work() {
         }
         lock.lock();
     }
-    ViewPicture given_up;
-    given_up.outcome = WishOutcome::superseded;
-    for (Waiting& left : waiting_) left.promise.set_value(given_up);
-    waiting_.clear();
 }
 
 }  // namespace fumon

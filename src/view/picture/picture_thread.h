@@ -44,8 +44,9 @@ struct ViewPicture {
     double seconds = 0.0;  ///< that drawing took
 };
 
-/// The one thread that draws. Of each client the newest wish alone is drawn, and drafts come before
-/// pictures. A picture is made as `fumon still` makes it, and has its bytes.
+/// The threads that draw, one for drafts and one for pictures, each with an OpenGL context of its
+/// own: a draft waits for no picture. Of each client the newest wish alone is drawn. A picture is
+/// made as `fumon still` makes it, and has its bytes.
 class PictureThread {
   public:
     /// Subject and changes outlive it.
@@ -72,7 +73,7 @@ class PictureThread {
         std::promise<ViewPicture> promise;
     };
 
-    void work();
+    void work(bool of_drafts);
     ViewPicture drawn(const PictureWish& wish, DraftPainter& drafts, WorkerPool& pool);
 
     ViewSubject& subject_;
@@ -82,7 +83,8 @@ class PictureThread {
     std::condition_variable wake_;
     std::deque<Waiting> waiting_;
     bool ended_ = false;
-    std::thread thread_;
+    std::thread drafts_;
+    std::thread pictures_;
 };
 
 }  // namespace fumon
