@@ -90,7 +90,7 @@ TEST_F(ViewServer, LimitsWhatARequestHolds) {
     EXPECT_EQ(asked_, 0);
 }
 
-TEST_F(ViewServer, TwoHundredClientsAndCutRequestsLeaveItAlive) {
+TEST_F(ViewServer, TwoHundredClientsOnThreadsAndCutRequestsLeaveItAlive) {
     serve();
     std::vector<std::unique_ptr<RawConnection>> cut;
     for (int i = 0; i < 200; ++i) {
