@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -22,6 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* json_type = "application/json";
+constexpr std::size_t most_plotted_rows = 2000;
 constexpr int not_found = 404;
 constexpr int accepted = 202;
 constexpr int conflict = 409;
@@ -122,8 +124,13 @@ HttpAnswer ViewPage::measurements_answer() const {
     Json list = Json::array();
     for (const ViewColumn& column : subject_.measurements()) {
         Json values = Json::array();
-        for (const double value : column.values)
+        const std::size_t rows = column.values.size();
+        const std::size_t stride = rows / most_plotted_rows + 1;
+        for (std::size_t i = 0; i < rows; ++i) {
+            if (i % stride != 0 && i + 1 != rows) continue;
+            const double value = column.values[i];
             values.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
+        }
         list.push_back({{"name", column.name}, {"unit", column.unit}, {"values", values}});
     }
     return json_answer(list);

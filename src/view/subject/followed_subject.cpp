@@ -125,8 +125,18 @@ class FollowedSubject : public ViewSubject {
         bool fields = false;
     };
 
-    /// A file may have got its name meanwhile.
-    std::vector<ViewColumn> measured() {
+    /// Read again when fifty times the time has passed that it took. A file may have got its name
+    /// meanwhile.
+    const std::vector<ViewColumn>& measured() {
+        const auto now = Clock::now();
+        if (now < next_measured_) return measured_;
+        measured_ = read_measured();
+        constexpr int rarely = 50;
+        next_measured_ = Clock::now() + rarely * (Clock::now() - now);
+        return measured_;
+    }
+
+    [[nodiscard]] std::vector<ViewColumn> read_measured() const {
         try {
             std::vector<ViewColumn> columns = measurements_of(folder_ / "measurements.csv");
             if (columns.empty()) columns = measurements_of(folder_ / "measurements.csv.part");
@@ -194,6 +204,8 @@ class FollowedSubject : public ViewSubject {
     std::shared_ptr<const Snapshot> kept_;
     std::string state_;
     Clock::time_point looked_{};
+    std::vector<ViewColumn> measured_;
+    Clock::time_point next_measured_{};
 };
 
 }  // namespace
