@@ -6,6 +6,7 @@
     COMMAND(sweep)              \
     COMMAND(figure)             \
     COMMAND(still)              \
+    COMMAND(view)               \
     COMMAND(hop_law)            \
     COMMAND(film)               \
     COMMAND(gallery)            \

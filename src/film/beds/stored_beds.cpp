@@ -56,7 +56,7 @@ std::string scene_toml(const Json& scene) {
     return text;
 }
 
-Json read_manifest(const fs::path& folder) {
+Json read_any_manifest(const fs::path& folder) {
     const fs::path file = folder / "run.json";
     std::error_code fault;
     if (!fs::is_directory(folder, fault))
@@ -69,11 +69,7 @@ Json read_manifest(const fs::path& folder) {
                         folder.string(), folder.string()));
     try {
         Json manifest = parse_json(read_input_file(file));
-        if (manifest.at("status") != "complete") {
-            throw InputError(
-                fmt::format("{}: its run is not finished; `fumon run --resume {}` continues it",
-                            folder.string(), folder.string()));
-        }
+        static_cast<void>(manifest.at("status"));
         return manifest;
     } catch (const nlohmann::json::exception&) {
         throw InputError(
@@ -81,6 +77,14 @@ Json read_manifest(const fs::path& folder) {
                         "again",
                         file.string()));
     }
+}
+
+Json read_manifest(const fs::path& folder) {
+    Json manifest = read_any_manifest(folder);
+    if (manifest["status"] == "complete") return manifest;
+    throw InputError(
+        fmt::format("{}: its run is not finished; `fumon run --resume {}` continues it",
+                    folder.string(), folder.string()));
 }
 
 std::vector<InputFile> inputs_of(const Json& manifest) {
@@ -171,6 +175,28 @@ Scene scene_of_bed(const Scene& scene, const fs::path& file) {
 }
 
 }  // namespace
+
+Scene scene_of_run(const fs::path& folder, const std::vector<std::string>& settings) {
+    const Json manifest = read_any_manifest(folder);
+    try {
+        return scene_of(manifest, folder, settings);
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(
+            fmt::format("{}: is damaged; run the scene again", (folder / "run.json").string()));
+    }
+}
+
+Snapshot read_stored_bed(const Scene& scene, const fs::path& file, const Snapshot& outline) {
+    Snapshot snapshot = outline;
+    InitialBed read = make_initial_bed(scene_of_bed(scene, file));
+    if (read.bed.nx() != outline.bed.nx() || read.bed.ny() != outline.bed.ny())
+        throw InputError(
+            fmt::format("{}: has a different size than the run's beds", file.string()));
+    snapshot.bed = std::move(read.bed);
+    if (!snapshot.nodata.empty() && !read.nodata.empty()) snapshot.nodata = std::move(read.nodata);
+    keep_fields_of_bed(snapshot);
+    return snapshot;
+}
 
 StoredBeds::StoredBeds(fs::path folder, int threads, const std::vector<std::string>& settings)
     : name_(folder.string()),
@@ -263,17 +289,9 @@ Snapshot StoredBeds::read(std::size_t number, const Snapshot& outline) const {
             throw InputError(fmt::format("{}: {}", (folder_ / fields_).string(), fault));
         return stored;
     }
-    Snapshot snapshot = outline;
-    InitialBed read = make_initial_bed(scene_of_bed(run_.scene, folder_ / bed.file));
-    if (read.bed.nx() != first_.bed.nx() || read.bed.ny() != first_.bed.ny()) {
-        throw InputError(fmt::format("{}: has a different size than the run's beds",
-                                     (folder_ / bed.file).string()));
-    }
-    snapshot.bed = std::move(read.bed);
-    if (!snapshot.nodata.empty() && !read.nodata.empty()) snapshot.nodata = std::move(read.nodata);
+    Snapshot snapshot = read_stored_bed(run_.scene, folder_ / bed.file, outline);
     snapshot.step = bed.step;
     snapshot.time = bed.time;
-    keep_fields_of_bed(snapshot);
     return snapshot;
 }
 

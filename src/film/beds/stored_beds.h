@@ -22,6 +22,16 @@ struct StoredBed {
     std::string file;  ///< of its own; empty: in fields.nc
 };
 
+/// The scene of a run's folder, finished or not, as its run.json records it, with its inputs found.
+/// `settings` as StoredBeds takes them. Throws InputError likewise.
+Scene scene_of_run(const std::filesystem::path& folder,
+                   const std::vector<std::string>& settings = {});
+
+/// A bed's file of such a run as a snapshot like `outline`. Throws InputError where it is damaged
+/// or of another size.
+Snapshot read_stored_bed(const Scene& scene, const std::filesystem::path& file,
+                         const Snapshot& outline);
+
 /// The beds that a finished run has stored in its folder, from which films are cut and its frames
 /// drawn later: the records of
 /// fields.nc (output.fields_every, output.fields_at), else beds/ (output.bed_every, output.bed_at),

@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "base/error.h"
+#include "cli/command.h"
+#include "cli/commands.h"
+#include "cli/examples.h"
+#include "cli/remark.h"
+#include "cli/shared_options.h"
+#include "files/terrain/terrain_format.h"
+#include "film/beds/stored_still.h"
+#include "outputs/output_claims.h"
+#include "run/drawing.h"
+#include "run/inputs/scene_argument.h"
+#include "run/prepared_run.h"
+#include "run/terminal/interrupt.h"
+#include "scene/read.h"
+#include "scene/scene_files.h"
+#include "scene/terrain_scene.h"
+#include "view/server/http_server.h"
+#include "view/subject/computed_subject.h"
+#include "view/subject/followed_subject.h"
+#include "view/subject/stored_subject.h"
+#include "view/view_page.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ViewArguments {
+    std::string input;
+    std::string heights;
+    std::string save;
+    int port = 0;
+    ViewOptions options;
+};
+
+void declare(CLI::App& command, ViewArguments& arguments) {
+    command
+        .add_option("INPUT", arguments.input,
+                    "a scene (.toml), the folder of a run, finished or not, or terrain: " +
+                        terrain_titles())
+        ->required();
+    add_number(command, "--port", arguments.port, 0, 65535,
+               "to listen on (default: one that is free)")
+        ->type_name("N");
+    command
+        .add_option("--save", arguments.save,
+                    "the folder that the page may save to; without it the browser keeps what is "
+                    "saved")
+        ->type_name("DIR");
+    command.add_flag("--trust", arguments.options.trust,
+                     "let the page ask for pictures of any size");
+    add_heights(command, arguments.heights);
+    add_force(command, arguments.options.force);
+    add_work_options(command, arguments.options.work);
+    add_drawing_options(command, arguments.options.work);
+    add_examples(command,
+                 {{"fumon view terada-barchans", "a scene, computed as far as you look"},
+                  {"fumon view out/run", "the stored beds of a run, also while it goes on"},
+                  {"fumon view terrain.asc --save pictures", "a terrain file of your own"}},
+                 "It prints an address of this machine for your browser, and ends with Ctrl-C. "
+                 "Nobody\nwithout that address sees or changes anything. Of a server the line "
+                 "with ssh brings\nthe same address to your own machine.");
+}
+
+/// A file without an ending is no terrain, and may be the name of a scene that fumon ships.
+bool is_viewed_scene(const fs::path& file) {
+    std::error_code fault;
+    return file.extension() == ".toml" || (!file.has_extension() && !fs::exists(file, fault));
+}
+
+std::unique_ptr<ViewSubject> subject_of(const ViewArguments& arguments) {
+    const WorkOptions& work = arguments.options.work;
+    const ExitOnSignal nothing_is_written;
+    if (const std::optional<fs::path> run = run_folder_of(arguments.input)) {
+        if (!arguments.heights.empty())
+            throw InputError("--heights belongs to a PNG terrain, not to a run");
+        if (is_unfinished_run(*run)) return followed_subject(*run, work.threads, work.settings);
+        return stored_subject(*run, work.threads, work.settings);
+    }
+    const bool scenic = is_viewed_scene(arguments.input);
+    if (scenic && !arguments.heights.empty())
+        throw InputError("--heights belongs to a PNG terrain; in a scene write bed.heights");
+    const std::string file =
+        scenic ? scene_argument(arguments.input) : terrain_argument(arguments.input);
+    PreparedRun run = prepare_run(scenic ? read_scene(file, work.settings)
+                                         : terrain_scene(file, arguments.heights, work.settings),
+                                  work.threads);
+    if (!run.initial.note.empty()) remark(run.initial.note + "\n");
+    std::vector<fs::path> files = scene_files(run.scene);
+    files.emplace_back(file);
+    return computed_subject(arguments.input, std::move(run), std::move(files));
+}
+
+/// The address, and the line that brings it to the machine of who is logged in from elsewhere.
+void tell(const HttpServer& server) {
+    std::string text = server.address() + "\n";
+    constexpr std::size_t longest = 256;
+    char host[longest] = {};
+    if (gethostname(host, longest - 1) == 0) {
+        text += fmt::format("from another machine: ssh -L {0}:127.0.0.1:{0} {1}\n", server.port(),
+                            host);
+    }
+    std::fputs(text.c_str(), stdout);
+    std::fflush(stdout);
+}
+
+int perform(const ViewArguments& arguments) {
+    const InterruptGuard guard;
+    ViewOptions options = arguments.options;
+    if (!arguments.save.empty()) {
+        options.save = arguments.save;
+        check_output_folder(options.save, "what the page saves");
+    }
+    prepare_drawing(options.work);
+    const std::unique_ptr<ViewSubject> subject = subject_of(arguments);
+    if (!options.save.empty()) {
+        std::error_code fault;
+        fs::create_directories(options.save, fault);
+        if (fault)
+            throw Error(fmt::format("cannot make the folder {}: {}", options.save.string(),
+                                    fault.message()));
+    }
+    ViewPage page(*subject, options);
+    const HttpServer server([&](const HttpRequest& request) { return page.answer(request); },
+                            arguments.port);
+    tell(server);
+    while (interrupting_signal() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    return 0;
+}
+
+}  // namespace
+
+Command view_command() {
+    return make_command<ViewArguments>(
+        "view", "look at a scene, run or terrain in a browser, and find camera and light", declare,
+        perform);
+}
+
+}  // namespace fumon

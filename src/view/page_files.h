@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "view/server/http_server.h"
+
+namespace fumon {
+
+/// A file of the page by its name alone: "" is the page itself. None for any other name, whatever
+/// lies beside them.
+std::optional<HttpAnswer> page_file(std::string_view name);
+
+}  // namespace fumon

@@ -1,0 +1,176 @@
+#include "view/picture/picture_thread.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <utility>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "base/worker_pool.h"
+#include "picture/stills/picture_file.h"
+#include "run/still.h"
+#include "scene/overlay_keys.h"
+#include "view/picture/draft_painter.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr std::size_t most_waiting = 64;
+constexpr int draft_quality = 82;
+
+std::string text_of(const std::vector<std::uint8_t>& bytes) {
+    return {bytes.begin(), bytes.end()};
+}
+
+/// A flat figure, which no renderer draws.
+bool is_flat(const Scene& scene, const Snapshot& first) {
+    return first.section && scene.view.look.mode == ViewMode::figure;
+}
+
+std::string media_type(PictureFormat format) {
+    switch (format) {
+        case PictureFormat::jpeg:
+            return "image/jpeg";
+        case PictureFormat::webp:
+            return "image/webp";
+        case PictureFormat::tiff:
+            return "image/tiff";
+        case PictureFormat::png:
+            break;
+    }
+    return "image/png";
+}
+
+}  // namespace
+
+PictureThread::PictureThread(ViewSubject& subject, const LookChanges& changes,
+                             const WorkOptions& work)
+    : subject_(subject),
+      changes_(changes),
+      options_(work),
+      drafts_([this] { this->work(true); }),
+      pictures_([this] { this->work(false); }) {}
+
+PictureThread::~PictureThread() {
+    {
+        const std::lock_guard lock(mutex_);
+        ended_ = true;
+        ViewPicture given_up;
+        given_up.outcome = WishOutcome::superseded;
+        for (Waiting& left : waiting_) left.promise.set_value(given_up);
+        waiting_.clear();
+    }
+    wake_.notify_all();
+    drafts_.join();
+    pictures_.join();
+}
+
+ViewPicture PictureThread::draw(PictureWish wish) {
+    std::future<ViewPicture> made;
+    {
+        const std::lock_guard lock(mutex_);
+        ViewPicture given_up;
+        given_up.outcome = WishOutcome::superseded;
+        for (auto old = waiting_.begin(); old != waiting_.end();) {
+            if (old->wish.client == wish.client) {
+                old->promise.set_value(given_up);
+                old = waiting_.erase(old);
+            } else {
+                ++old;
+            }
+        }
+        if (ended_) return given_up;
+        if (waiting_.size() >= most_waiting) {
+            given_up.outcome = WishOutcome::too_many;
+            return given_up;
+        }
+        waiting_.push_back({std::move(wish), {}});
+        made = waiting_.back().promise.get_future();
+    }
+    wake_.notify_all();  // either thread may be meant
+    return made.get();
+}
+
+PictureThread::Settled PictureThread::settled(const PictureWish& wish,
+                                              const Snapshot& snapshot) const {
+    std::vector<std::string> settings = wish.settings;
+    const auto size = [&](const char* key, int pixels) {
+        if (pixels > 0 && !wish.draft) settings.push_back(fmt::format("image.{}={}", key, pixels));
+    };
+    size("width", wish.width);
+    size("height", wish.height);
+    Settled settled{changes_.with(settings), {}};
+    if (wish.place) {
+        settled.camera = settings_of(*wish.place, settled.scene, subject_.first(), snapshot);
+        settings.insert(settings.end(), settled.camera.begin(), settled.camera.end());
+        settled.scene = changes_.with(settings);
+    }
+    return settled;
+}
+
+ViewPicture PictureThread::drawn(const PictureWish& wish, DraftPainter& drafts, WorkerPool& pool) {
+    const Stopwatch watch;
+    ViewPicture picture;
+    const std::shared_ptr<const Snapshot> snapshot = subject_.snapshot(wish.moment);
+    if (!snapshot) {
+        picture.outcome = WishOutcome::computing;
+        return picture;
+    }
+    auto [scene, camera] = settled(wish, *snapshot);
+    const Snapshot& first = subject_.first();
+    picture.camera = std::move(camera);
+    picture.step = snapshot->step;
+    const PictureFormat format = picture_format("x" + wish.ending);
+    if (wish.draft) {
+        scene = draft_of(std::move(scene), wish.width, wish.height);
+        const Image image = is_flat(scene, first)
+                                ? make_frame_painter(scene, first, options_.backend, pool,
+                                                     PaintedContent::one_picture)
+                                      ->paint(*snapshot, {})
+                                : drafts.paint(scene, first, snapshot);
+        picture.type = "image/jpeg";
+        picture.bytes =
+            text_of(encode_picture(image, PictureFormat::jpeg, {draft_quality, false}, 96.0, {}));
+    } else {
+        check_still(scene, *snapshot, "x" + wish.ending);
+        const MeasuredRows rows = subject_.rows(plotted_columns(scene), wish.moment);
+        stand_on_drawn_ground(scene.view, first, *snapshot);
+        const Drawing drawing =
+            draw_snapshot({scene, subject_.inputs(), rows}, first, *snapshot, options_);
+        picture.type = media_type(format);
+        picture.bytes =
+            text_of(still_file(scene, subject_.inputs(), snapshot->step, drawing, format));
+    }
+    picture.seconds = watch.seconds();
+    return picture;
+}
+
+void PictureThread::work(bool of_drafts) {
+    WorkerPool pool(options_.threads, "fumon-view");
+    DraftPainter drafts(options_.backend, pool);
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        auto next = waiting_.end();
+        wake_.wait(lock, [&] {
+            next = std::ranges::find_if(
+                waiting_, [&](const Waiting& one) { return one.wish.draft == of_drafts; });
+            return ended_ || next != waiting_.end();
+        });
+        if (ended_) return;
+        Waiting taken = std::move(*next);
+        waiting_.erase(next);
+        lock.unlock();
+        try {
+            taken.promise.set_value(drawn(taken.wish, drafts, pool));
+        } catch (...) {
+            taken.promise.set_exception(std::current_exception());
+        }
+        lock.lock();
+    }
+}
+
+}  // namespace fumon

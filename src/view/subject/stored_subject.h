@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "view/subject/subject.h"
+
+namespace fumon {
+
+/// A finished run by the beds that it stored. Throws as StoredBeds.
+std::unique_ptr<ViewSubject> stored_subject(const std::filesystem::path& folder, int threads,
+                                            const std::vector<std::string>& settings);
+
+/// The columns of a table of measurements, of its whole lines alone: another program may be
+/// writing it. None where there is no such file.
+std::vector<ViewColumn> measurements_of(const std::filesystem::path& file);
+
+}  // namespace fumon

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "run/terminal/work_options.h"
+
+namespace fumon {
+
+/// What a viewer is asked for besides what it shows.
+struct ViewOptions {
+    std::filesystem::path save;  ///< the folder that the page may write to; empty: it may not
+    bool trust = false;          ///< pictures of any size
+    bool force = false;          ///< files of others in that folder are replaced
+    WorkOptions work{};
+};
+
+}  // namespace fumon

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+
+#include "view/picture/look_changes.h"
+#include "view/picture/picture_thread.h"
+#include "view/server/http_server.h"
+#include "view/subject/subject.h"
+#include "view/view_options.h"
+
+namespace fumon {
+
+/// What the server of a viewer answers. Any thread may ask.
+///
+///     GET                   the page, its styles and modules: assets/view
+///     GET subject           what is shown, and the keys that may change, as JSON
+///     GET progress          its moments, and what is being computed
+///     GET measurements      columns of numbers
+///     POST picture          a wish as JSON → a draft or picture
+///     POST camera           a wish → where its camera stands
+///     POST check            {settings} → nothing, or the fault that `fumon check` would tell
+///     POST scene            {settings, name} → the scene's file
+///     POST still            a wish with a name → its file
+///     POST film             {shots, settings, name} → the film's file
+///
+/// A file goes into the folder of --save where there is one, else to the browser.
+class ViewPage {
+  public:
+    /// The subject outlives it.
+    ViewPage(ViewSubject& subject, ViewOptions options);
+
+    HttpAnswer answer(const HttpRequest& request);
+
+  private:
+    [[nodiscard]] HttpAnswer subject_answer() const;
+    [[nodiscard]] HttpAnswer progress_answer() const;
+    [[nodiscard]] HttpAnswer measurements_answer() const;
+    HttpAnswer picture_answer(const HttpRequest& request);
+    [[nodiscard]] HttpAnswer camera_answer(const HttpRequest& request) const;
+    [[nodiscard]] HttpAnswer check_answer(const HttpRequest& request) const;
+    HttpAnswer still_answer(const HttpRequest& request);
+    [[nodiscard]] HttpAnswer scene_answer(const HttpRequest& request) const;
+    [[nodiscard]] HttpAnswer film_answer(const HttpRequest& request) const;
+
+    ViewSubject& subject_;
+    ViewOptions options_;
+    LookChanges changes_;
+    PictureThread pictures_;
+};
+
+}  // namespace fumon

@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include "support/program.h"
+#include "support/raw_http.h"
+#include "support/viewed_run.h"
+
+namespace fumon {
+namespace {
+
+using test::contains;
+using test::ScratchFolder;
+using test::write_text;
+
+TEST(ViewCommand, PrintsOneAddressAndEndsBySignal) {
+    const ScratchFolder folder;
+    write_text(folder / "viewed.toml", viewed_scene);
+    // A program's own port is not known before it runs: one that was free just now.
+    int port = 0;
+    {
+        const HttpServer free([](const HttpRequest&) { return HttpAnswer{}; }, 0);
+        port = free.port();
+    }
+    test::Program program({"view", "viewed.toml", "--port", std::to_string(port)}, folder.path());
+    for (int i = 0; i < 600 && !RawConnection(port).open(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_EQ(status_of(ask(port, "GET", "/")), "403");
+    program.send(SIGINT);
+    const test::Ended ended = program.wait();
+    EXPECT_EQ(ended.status, 0) << ended.errors;
+    const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/";
+    EXPECT_TRUE(ended.output.starts_with(address)) << ended.output;
+    EXPECT_TRUE(contains(ended.output, "ssh -L")) << ended.output;
+    EXPECT_EQ(ended.output.find(address, 1), std::string::npos);
+}
+
+TEST(ViewCommand, RefusesWhatItCannotShow) {
+    const ScratchFolder folder;
+    EXPECT_EQ(test::fumon({"view", "no-such-scene"}, folder.path()).status, 2);
+    EXPECT_EQ(test::fumon({"view", "terada-barchans", "--set", "sun.elevation=200"}, folder.path())
+                  .status,
+              2);
+    write_text(folder / "file", "x");
+    EXPECT_EQ(test::fumon({"view", "terada-barchans", "--save", "file"}, folder.path()).status, 2);
+}
+
+}  // namespace
+}  // namespace fumon
