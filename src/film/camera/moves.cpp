@@ -1,5 +1,7 @@
 #include "film/camera/moves.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -372,7 +374,15 @@ StagedShot::StagedShot(const Film& film, std::size_t shot, const FilmStage& stag
       path_(path_of(film, shot, stage, runs, clock_)),
       // A dune goes its own pace.
       speed_(film.shots[shot].move == Move::follow_dune ? CameraSpeed::constant
-                                                        : film.shots[shot].speed) {}
+                                                        : film.shots[shot].speed) {
+    const double upward = stage.block.exaggeration / stage.block.side;
+    const double clearance = clearance_of(film.shots[shot], stage);
+    if (film.shots[shot].keys.empty() || !(path_.lifted() > clearance)) return;
+    note_ = fmt::format(
+        "shot {}: the way through its keys (shot.key.at) lies up to {:.3g} below the ground, and "
+        "was lifted to shot.clearance, {:.3g} above it",
+        shot + 1, (path_.lifted() - clearance) / upward, clearance / upward);
+}
 
 CameraPose StagedShot::pose_at(double share) const {
     return path_.at(speed_ == CameraSpeed::eased ? eased(share) : share);
