@@ -88,7 +88,8 @@ void RunFolder::refuse_previous_run() const {
     if (listed_files(manifest()).files.empty()) refuse_to_replace(manifest());
     throw InputError(fmt::format(
         "{} already holds a run; name another folder, or replace it with --force{}",
-        folder_.string(), fs::exists(checkpoint(), fault) ? ", or continue it with --resume" : ""));
+        folder_.string(),
+        fs::exists(checkpoint(), fault) && !is_complete() ? ", or continue it with --resume" : ""));
 }
 
 void RunFolder::create(const RunParts& parts) {
