@@ -18,6 +18,7 @@
 #include "film/joined_film.h"
 #include "film/timeline.h"
 #include "paper/figure_plan.h"
+#include "run/forecast/run_forecast.h"
 #include "run/inputs/scene_argument.h"
 #include "run/inputs/standard_input.h"
 #include "run/prepared_run.h"
@@ -104,6 +105,18 @@ Scene given_scene(const std::vector<std::string>& settings) {
     return parse_scene(input.scene(), read_settings(settings));
 }
 
+/// Tells what a run of the scene will take, from some of its steps.
+void tell_forecast(const PreparedRun& run, Fine& fine) {
+    constexpr double most_seconds = 1.5;
+    const auto forecast = forecast_run(run, most_seconds);
+    if (!forecast) return;
+    fine.facts["forecast"] = {{"seconds_of_steps", forecast->seconds},
+                              {"threads", forecast->threads},
+                              {"most_bytes_of_fields", forecast->fields_bytes},
+                              {"most_bytes_of_frames", forecast->frames_bytes}};
+    if (const std::string text = forecast_text(*forecast); !text.empty()) fine.words += "; " + text;
+}
+
 Fine checked(const std::string& file, const CheckOptions& options, FigureRuns& runs) {
     const std::vector<std::string>& settings = options.settings;
     const bool given = is_standard_input(file);
@@ -113,7 +126,7 @@ Fine checked(const std::string& file, const CheckOptions& options, FigureRuns& r
             throw InputError(fmt::format("{}: is not a film; --run is for films", file));
     }
     const PreparedRun prepared =
-        prepare_run(given ? given_scene(settings) : read_scene(file, settings), 1);
+        prepare_run(given ? given_scene(settings) : read_scene(file, settings), 0);
     const Scene& scene = prepared.scene;
     const bool has_figure = !scene.figure.panels.empty();
     if (has_figure && given)
@@ -134,9 +147,11 @@ Fine checked(const std::string& file, const CheckOptions& options, FigureRuns& r
          {"steps", scene.run.steps},
          {"frames", frames}}};
     const Snapshot first = prepared.model->snapshot();
-    if (first.winds.empty()) return fine;
-    fine.words += "; " + winds_line(first);
-    fine.facts["drift"] = drift_json(first.winds);
+    if (!first.winds.empty()) {
+        fine.words += "; " + winds_line(first);
+        fine.facts["drift"] = drift_json(first.winds);
+    }
+    if (!has_figure) tell_forecast(prepared, fine);
     return fine;
 }
 

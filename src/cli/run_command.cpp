@@ -1,10 +1,13 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,7 +19,9 @@
 #include "cli/shared_options.h"
 #include "files/input_file.h"
 #include "files/json_text.h"
+#include "models/shared/unstable.h"
 #include "run/drawing.h"
+#include "run/forecast/run_forecast.h"
 #include "run/inputs/scene_argument.h"
 #include "run/manifest.h"
 #include "run/output_files.h"
@@ -55,7 +60,8 @@ void declare(CLI::App& command, RunOptions& options) {
                             "others that are in its way");
     command
         .add_option("--resume", options.resume,
-                    "resume the run in this folder from its checkpoint (no SCENE needed)")
+                    "resume the run in this folder from its checkpoint (no SCENE needed); "
+                    "--set run.steps=N has one that is complete go on to step N")
         ->type_name("DIR")
         ->excludes(folder)
         ->excludes(force);
@@ -71,7 +77,8 @@ void declare(CLI::App& command, RunOptions& options) {
         {{"fumon run terada-barchans -o out/barchans", "frames, movie, measurements"},
          {"fumon run terada-barchans -o out/wet --set model.creep_rate=0.2", "a number changed"},
          {"fumon run dunes-barchans -o out/dunes --json", "what it made, for a program"},
-         {"fumon run --resume out/barchans", "goes on with a run that was stopped"}},
+         {"fumon run --resume out/barchans", "goes on with a run that was stopped"},
+         {"fumon run --resume out/barchans --set run.steps=9000", "a complete run made longer"}},
         "Exit status: 0 done, 2 wrong input, 3 could not work, 130/143 interrupted (what was made "
         "is "
         "kept).");
@@ -129,6 +136,68 @@ void print_json(const RunFolder& folder) {
     std::fputs((json_text(json, 2) + "\n").c_str(), stdout);
 }
 
+/// What a key has in a scene, as JSON; nothing where the scene has no such key.
+std::string value_text(const Scene& scene, const std::string& key) {
+    auto json = scene_json(scene);
+    std::string::size_type begin = 0;
+    while (begin <= key.size()) {
+        const std::string::size_type end = std::min(key.find('.', begin), key.size());
+        const std::string part = key.substr(begin, end - begin);
+        if (!json.is_object() || !json.contains(part)) return "";
+        json = nlohmann::ordered_json(json[part]);
+        begin = end + 1;
+    }
+    return json.dump();
+}
+
+/// What --set changed of the model, with what the scene has itself; empty where it changed nothing.
+std::string changed_by_settings(const RunOptions& options, const Scene& scene) {
+    std::vector<std::string> changed;
+    try {
+        const Scene own = read_scene(scene_argument(options.scene), {});
+        for (const std::string& setting : options.work.settings) {
+            const std::string key = setting.substr(0, setting.find('='));
+            const std::string now = value_text(scene, key);
+            const std::string before = value_text(own, key);
+            if (!key.starts_with("model.") || before.empty() || now == before) continue;
+            changed.push_back(
+                fmt::format("{} nearer to the scene's own {} than {}", key, before, now));
+        }
+    } catch (const InputError&) {  // a scene that is none without its settings
+        return "";
+    }
+    return fmt::format("{}", fmt::join(changed, ", "));
+}
+
+/// Throws what ended a run; of one that became unstable, with what --set changed as the first
+/// remedy.
+void rethrow(const RunOutcome& outcome, const RunOptions& options, const Scene& scene) {
+    if (!outcome.error) return;
+    try {
+        std::rethrow_exception(outcome.error);
+    } catch (const Unstable& fault) {
+        const std::string changed = changed_by_settings(options, scene);
+        if (changed.empty()) throw;
+        throw Unstable(fault.fault(), fmt::format("{}; or {}", changed, fault.remedies()));
+    }
+}
+
+/// Says beforehand what a run of more than a few seconds will take. Another model of it makes some
+/// steps for that.
+void tell_forecast(const PreparedRun& run, const RunOptions& options, Progress& progress) {
+    constexpr double most_seconds = 0.5;
+    constexpr double soon_done = 5e6;         // steps of cells
+    constexpr std::size_t large = 4'000'000;  // cells, of which another model takes much memory
+    const std::size_t cells = run.initial.bed.size();
+    const double work = static_cast<double>(cells) * static_cast<double>(run.scene.run.steps);
+    if (options.work.verbosity == Verbosity::quiet || work < soon_done || cells > large) return;
+    const PreparedRun other =
+        prepare_run(PreparedScene{run.scene, run.initial}, options.work.threads);
+    const auto forecast = forecast_run(other, most_seconds);
+    if (!forecast) return;
+    if (const std::string text = forecast_text(*forecast); !text.empty()) progress.note(text);
+}
+
 /// Makes a run that is prepared, in the folder; returns the exit status.
 int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
          const ResumedRun* previous) {
@@ -139,14 +208,18 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
     const Snapshot first = prepared.model->snapshot();
     if (const std::string winds = winds_line(first); !winds.empty()) progress.note(winds);
 
+    if (previous == nullptr) tell_forecast(prepared, options, progress);
+
     PipelineOptions how{options.work.backend, options.work.threads, options.checkpoint_every};
     std::optional<PreviousRun> from;
     if (previous != nullptr) {
-        from.emplace(PreviousRun{previous->checkpoint, previous->first, *previous->rest});
+        from.emplace(PreviousRun{previous->checkpoint, previous->first, *previous->rest,
+                                 previous->is_longer});
         how.previous = &*from;
         progress.note(fmt::format("resumes at step {} of {}",
                                   with_commas(previous->checkpoint.step),
                                   with_commas(scene.run.steps)));
+        if (!previous->note.empty()) progress.note(previous->note);
         report_build_change(previous->checkpoint.build, progress);
     }
     const ManifestFacts facts{scene, prepared.initial, prepared.pool->size(),
@@ -175,10 +248,10 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
     }
     if (!outcome.checkpoint) folder.remove_frame_list();
     if (options.as_json) print_json(folder);
-    if (outcome.error) std::rethrow_exception(outcome.error);
+    rethrow(outcome, options, scene);
     report_outcome(outcome, prepared, folder, progress);
     if (outcome.signal == 0) {
-        folder.tidy();
+        folder.tidy(outcome.keeps_last_state);
         return 0;
     }
     progress.note(fmt::format(
@@ -194,14 +267,28 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
 int resume(const RunOptions& options) {
     RunFolder folder(options.resume, true);
     folder.enter();
-    if (folder.is_complete()) {
+    const auto tell_complete = [&] {
         Progress(options.work.verbosity, 0)
             .note(fmt::format("{}: the run is complete, nothing is left to do", options.resume));
         if (options.as_json) print_json(folder);
-        if (std::filesystem::exists(folder.checkpoint())) folder.tidy();
         return 0;
+    };
+    const bool is_complete = folder.is_complete();
+    const bool is_kept = std::filesystem::exists(folder.checkpoint());
+    const bool is_asked_anew = !options.scene.empty() || !options.work.settings.empty();
+    if (is_complete && !(is_kept && is_asked_anew)) {
+        if (!options.work.settings.empty()) {
+            throw InputError(
+                fmt::format("{}: the run is complete, and its last state was not kept (it was made "
+                            "with --checkpoint-every 0 or by an earlier fumon, or is larger than "
+                            "{} MB); run the scene from its start with --force",
+                            options.resume, Checkpointer::most_bytes_kept >> 20U));
+        }
+        if (is_kept) folder.tidy(true);
+        return tell_complete();
     }
     ResumedRun previous = resume_run(folder, scene_argument(options.scene), options.work);
+    if (is_complete && !previous.is_longer) return tell_complete();
     return work(previous.run, folder, options, &previous);
 }
 

@@ -99,6 +99,7 @@ std::optional<StoredBeds> stored_again(const FilmedRun& run, const FilmAgain& wa
     recording.files = {folder / "measurements.csv", folder / "avalanches.csv",
                        folder / "fields.nc"};
     recording.resolved = run.scene;
+    recording.threads = wanted.work.threads;
     Recorder recorder(prepared.scene, first, std::move(recording));
     RunRecord record;
     std::atomic<double> cell_steps{0.0};

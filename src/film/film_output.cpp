@@ -125,6 +125,12 @@ bool are_own_captions(fs::path captions) {
 
 namespace {
 
+/// Whether a movie's file ends so.
+bool is_movie_ending(const std::string& ending) {
+    return std::ranges::any_of(movie_formats(),
+                               [&](const MovieFormat& format) { return format.ending == ending; });
+}
+
 /// Throws InputError for a name of one picture a frame where movies are asked for.
 void refuse_sequence(const fs::path& file, std::string_view option) {
     if (!is_frame_sequence(file)) return;
@@ -164,6 +170,11 @@ std::vector<FilmOutput> film_outputs(const Film& film, const fs::path& file,
 
 FilmOutput draft_output(const Film& film, const fs::path& file) {
     refuse_sequence(file, "--draft");
+    const std::string ending = small_ending(file);
+    if (!ending.empty() && !is_movie_ending(ending)) {
+        throw InputError(fmt::format("{}: --draft makes an MP4 and a sheet of pictures; name it {}",
+                                     file.string(), without_ending(file).string() + ".mp4"));
+    }
     constexpr std::int64_t part_of_side = 4;
     constexpr double part_of_frames = 10.0;
     Film draft = film;
@@ -174,6 +185,7 @@ FilmOutput draft_output(const Film& film, const fs::path& file) {
     draft.settings.rate = std::max(1.0, film.settings.rate / part_of_frames);
     draft.settings.format = "h264";
     draft.settings.draft = true;
+    draft.settings.frames_for_one = film.settings.rate / draft.settings.rate;
     fs::path base = without_ending(file);
     base += "-draft";
     FilmOutput output{base, draft, 0};

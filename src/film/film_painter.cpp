@@ -65,6 +65,8 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
       prefetch_(pool.size()) {
     if (layout_.boxes().size() > 1) stage_.overrun = overrun_of_pane(stage_.aspect);
     for (std::size_t i = 0; i < film.shots.size(); ++i) shots_.emplace_back(film, i, stage_, runs);
+    for (const StagedShot& shot : shots_)
+        if (!shot.note().empty()) notes_.push_back(shot.note());
     const double side = static_cast<double>(std::min(size.width, size.height));
     for (OverlaySettings& overlay : stage_.scene.view.overlays) {
         if (overlay.font_size.is_word())
@@ -145,18 +147,7 @@ std::set<FilmPainter::Moment> FilmPainter::shown_moments() const {
 
 /// What scenes take from each frame is taken from all beds that the film shows.
 void FilmPainter::fix_ranges(const std::set<Moment>& shown) {
-    for (const FilmPart& part : timeline_.parts()) {
-        if (part.kind != FilmPart::Kind::shot) continue;
-        constexpr std::int64_t few = 3;  // frames a bed
-        const auto count = static_cast<std::int64_t>(std::ranges::count_if(
-            shown, [&](const Moment& moment) { return moment.shot == part.number; }));
-        if (count > 1 && part.frames - part.held > few * count) {
-            notes_.push_back(fmt::format(
-                "shot {}: its {} frames show {} stored beds, each as it is; for a smoother film "
-                "let the run store more of them (output.fields_every)",
-                part.number + 1, part.frames, count));
-        }
-    }
+    note_jumps(shown);
     fix_colours(shown);
     fix_plots(shown);
 }

@@ -92,6 +92,7 @@ class FilmPainter : public FilmFrames {
     [[nodiscard]] std::set<Moment> shown_moments() const;
     void stage_panes(const std::vector<Override>& looks);
     void fix_ranges(const std::set<Moment>& shown);
+    void note_jumps(const std::set<Moment>& shown);
     void fix_colours(const std::set<Moment>& shown);
     void fix_plots(const std::set<Moment>& shown);
     void place_overlays(const FilmSize& size);

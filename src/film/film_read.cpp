@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -218,6 +219,13 @@ void check_is_there(const std::filesystem::path& file) {
             shipped.push_back(entry.path().stem().string());
     }
     std::ranges::sort(shipped);
+    for (const char* folder : {"scenes/", "scenes/figures/"}) {
+        if (!find_data_file(folder + file.stem().string() + ".toml")) continue;
+        throw InputError(fmt::format(
+            "{}: is a scene, not a film; run it first (fumon run {} -o RUN --set "
+            "output.fields_every=20), then cut a film from the run (fumon film RUN FILM)",
+            file.string(), file.string()));
+    }
     throw InputError(fmt::format("{}: there is no such file, and no such film ships with fumon; {}",
                                  file.string(), suggestion(file.stem().string(), shipped)));
 }
@@ -259,7 +267,10 @@ Film parse_film(std::string_view text, const std::string& source,
     Faults faults(source);
     const toml::table root =
         parse_toml(text, source, "a film is TOML: [section] lines and key = value lines");
-    if (root.contains("model") && !root.contains("shot") && !root.contains("excerpt")) {
+    constexpr std::array of_scenes{"model", "bed", "grid", "run"};
+    const bool is_scene =
+        std::ranges::any_of(of_scenes, [&](const char* section) { return root.contains(section); });
+    if (is_scene && !root.contains("shot") && !root.contains("excerpt")) {
         throw InputError(fmt::format(
             "{}: is a scene, not a film; run it first (fumon run {} -o RUN --set "
             "output.fields_every=20), then cut a film from the run (fumon film RUN FILM)",

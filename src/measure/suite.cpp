@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 
 #include "base/snapshot_lookup.h"
+#include "base/worker_pool.h"
 #include "measure/air/air_groups.h"
 #include "measure/bed/bed_findings.h"
 #include "measure/bed/bed_groups.h"
@@ -225,15 +227,33 @@ void MeasureSuite::serialise(StateArchive& archive) {
     }
 }
 
-std::vector<double> MeasureSuite::row(const Snapshot& snapshot) {
+int MeasureSuite::most_threads() const {
+    const auto groups = std::ranges::count_if(parts_->parts, &Parts::Part::any_wanted);
+    return std::max(1, static_cast<int>(groups));
+}
+
+std::vector<double> MeasureSuite::row(const Snapshot& snapshot, WorkerPool* pool) {
+    constexpr std::size_t least_cells = 4096;  // that are worth waking threads for
+    const std::vector<Parts::Part>& parts = parts_->parts;
+    parts_->findings->begin(snapshot);
+    std::vector<std::vector<double>> of_parts(parts.size());
+    std::atomic<std::size_t> left = parts.size();  // the last groups are the longest
+    const auto measure = [&](int /*begin*/, int /*end*/) {
+        for (std::size_t n = left--; n > 0 && n <= parts.size(); n = left--) {
+            const Parts::Part& part = parts[n - 1];
+            if (part.any_wanted) of_parts[n - 1] = part.group.values(snapshot, part.wanted);
+        }
+    };
+    if (pool != nullptr && pool->size() > 1 && snapshot.bed.size() >= least_cells) {
+        pool->for_ranges(pool->size(), measure);
+    } else {
+        measure(0, 1);
+    }
     std::vector<double> values;
     values.reserve(parts_->columns.size());
-    parts_->findings->begin(snapshot);
-    for (const Parts::Part& part : parts_->parts) {
-        if (!part.any_wanted) continue;
-        const std::vector<double> some = part.group.values(snapshot, part.wanted);
-        for (std::size_t k = 0; k < some.size(); ++k) {
-            if (part.wanted[k]) values.push_back(some[k]);
+    for (std::size_t n = 0; n < parts.size(); ++n) {
+        for (std::size_t k = 0; k < of_parts[n].size(); ++k) {
+            if (parts[n].wanted[k]) values.push_back(of_parts[n][k]);
         }
     }
     if (!parts_->in_metres) return values;

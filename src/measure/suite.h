@@ -11,6 +11,8 @@
 
 namespace fumon {
 
+class WorkerPool;
+
 /// What a snapshot is measured as: its model's landform; a profile where a bed or terrain has a
 /// single row, else a bed.
 Landform measured_landform(const Snapshot& snapshot);
@@ -66,8 +68,12 @@ class MeasureSuite {
     /// Records a step's avalanches, whether or not the step is measured.
     void note(std::span<const Avalanche> avalanches);
 
-    /// One value a column; NaN where a measure has no meaning for this bed.
-    [[nodiscard]] std::vector<double> row(const Snapshot& snapshot);
+    /// One value a column; NaN where a measure has no meaning for this bed. Groups of columns are
+    /// measured at once on the threads of a pool where one is given: the same values.
+    [[nodiscard]] std::vector<double> row(const Snapshot& snapshot, WorkerPool* pool = nullptr);
+
+    /// How many threads a pool may have work for.
+    [[nodiscard]] int most_threads() const;
 
     /// Saves or restores what later rows need. Throws as StateArchive does.
     void serialise(StateArchive& archive);

@@ -194,9 +194,12 @@ class Pipeline {
                 if (checkpoints && checkpoints->last()) outcome.checkpoint = checkpoints->last();
             }
         } ended{outcome_, stepper, checkpoints};
-        return stepper.advance([this](const Model& model) {
+        const int signal = stepper.advance([this](const Model& model) {
             return model.steps_done() >= last_step_ || stages_.aborted();
         });
+        if (checkpoints && signal == 0 && !stages_.aborted())
+            outcome_.keeps_last_state = checkpoints->keep_last_state(model_);
+        return signal;
     }
 
     void draw(std::promise<void> ready) {
@@ -310,8 +313,12 @@ class Pipeline {
         if (folder_ != nullptr) recording.files = folder_->records();
         recording.resolved = resolved_;
         recording.plots = pictures_;
+        recording.threads = options_.threads;
         std::optional<RecordPositions> previous;
-        if (options_.previous != nullptr) previous = options_.previous->checkpoint.records;
+        if (options_.previous != nullptr) {
+            previous = options_.previous->checkpoint.records;
+            recording.longer = options_.previous->is_longer;
+        }
         return std::make_unique<Recorder>(scene_, first_, std::move(recording), previous);
     }
 

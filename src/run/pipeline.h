@@ -55,6 +55,7 @@ struct RunOutcome {
     std::int64_t steps_before = 0;           ///< done before it was gone on with
     std::vector<std::int64_t> resumed_at;    ///< steps from which it was gone on with
     std::optional<std::int64_t> checkpoint;  ///< the step of the last one that was written
+    bool keeps_last_state = false;           ///< it is of the complete run
     int signal = 0;                          ///< that stopped the run early, or 0
     bool cancelled = false;                  ///< it did so within a step: there is no state
     std::exception_ptr error;                ///< the first, or none
@@ -65,6 +66,7 @@ struct PreviousRun {
     const RunCheckpoint& checkpoint;
     const Snapshot& first;   ///< the run's, before its first step
     StateArchive& measured;  ///< brings back what the measures remember (Recorder::serialise)
+    bool is_longer = false;  ///< it was complete, and goes on to a later step
 };
 
 struct PipelineOptions {

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <span>
+#include <thread>
 #include <utility>
 
 #include "files/avalanche_table.h"
@@ -17,6 +19,10 @@ namespace {
 
 std::vector<std::string> gathered_columns(const Scene& scene, const Recording& recording) {
     return recording.plots ? plotted_columns(scene) : std::vector<std::string>{};
+}
+
+int threads_of(int asked) {
+    return asked > 0 ? asked : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 /// Where no table is written, what plots show is all that is measured.
@@ -41,7 +47,11 @@ Recorder::Recorder(const Scene& scene, const Snapshot& first, Recording recordin
     const bool tabulates = writes && scene.output.measurements;
     measures_ = tabulates || !plotted_.rows().columns.empty();
     lists_avalanches_ = writes && scene.output.avalanches;
-    if (measures_) measured_ = measurement_schedule(scene);
+    if (measures_) {
+        measured_ = measurement_schedule(scene);
+        pool_.emplace(std::min(threads_of(recording.threads), suite_.most_threads()),
+                      "fumon-measure");
+    }
     if (writes) {
         fielded_ = fields_schedule(scene);
         paths_ = std::move(*recording.files);
@@ -52,7 +62,8 @@ Recorder::Recorder(const Scene& scene, const Snapshot& first, Recording recordin
         if (at.avalanches.length >= 0) avalanches_.emplace(paths_.avalanches, at.avalanches);
         if (at.measurements.length >= 0)
             measurements_.emplace(paths_.measurements, at.measurements);
-        if (at.fields.records >= 0) fields_.emplace(paths_.fields, first, text_, at.fields);
+        if (at.fields.records >= 0)
+            fields_.emplace(paths_.fields, first, text_, at.fields, recording.longer);
         return;
     }
     if (!tabulates) return;
@@ -111,7 +122,7 @@ void Recorder::record(const Snapshot& snapshot) {
 }
 
 void Recorder::measure(const Snapshot& snapshot) {
-    const std::vector<double> row = suite_.row(snapshot);
+    const std::vector<double> row = suite_.row(snapshot, pool_ ? &*pool_ : nullptr);
     plotted_.take(snapshot, row);
     if (!measurements_) return;
     std::string line = fmt::format("{},{}", snapshot.step, snapshot.time);

@@ -9,6 +9,7 @@
 
 #include "base/avalanche.h"
 #include "base/snapshot.h"
+#include "base/worker_pool.h"
 #include "files/appended_file.h"
 #include "files/avalanche_table.h"
 #include "files/netcdf/netcdf_fields.h"
@@ -47,6 +48,8 @@ struct Recording {
     std::optional<RecordPaths> files;  ///< none: it writes nothing
     std::string resolved;              ///< the scene as TOML, for fields.nc
     bool plots = false;                ///< frames are drawn: it gathers what plots over them show
+    int threads = 1;                   ///< that measure; 0: one per processor
+    bool longer = false;               ///< a complete run's files are gone on with
 };
 
 /// What a run measures, row by row.
@@ -118,6 +121,7 @@ class Recorder : public StepObserver {
 
     // Of the thread while a job is under way.
     MeasureSuite suite_;
+    std::optional<WorkerPool> pool_;
     RowGatherer plotted_;
     std::optional<AppendedFile> measurements_;
     std::optional<AvalancheFile> avalanches_;

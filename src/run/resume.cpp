@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -22,6 +24,7 @@
 #include "scene/input_maps.h"
 #include "scene/json.h"
 #include "scene/read.h"
+#include "scene/schedule.h"
 
 namespace fumon {
 
@@ -45,13 +48,43 @@ void check_program(const RunCheckpoint& checkpoint, const std::string& file) {
 }
 
 /// `now` is the scene that is asked for.
-void check_scene(const Scene& now, const RunCheckpoint& checkpoint, const std::string& file) {
-    const Scene then = parse_scene(checkpoint.scene, file, "");
+void check_scene(const Scene& now, const Scene& then, const std::string& file, bool is_longer) {
     const std::string differs = scene_difference(scene_json(then), scene_json(now));
     if (differs.empty()) return;
-    throw InputError(fmt::format(
-        "{}: cannot be continued: {}; resume without a scene and --set, or name another folder",
-        file, differs));
+    throw InputError(fmt::format("{}: cannot be continued: {}; {}, or name another folder", file,
+                                 differs,
+                                 is_longer ? "of a complete run only run.steps may change"
+                                           : "resume without a scene and --set"));
+}
+
+/// Makes the scene of a complete run that of one which goes on to the last step of `now`, and keeps
+/// what else would follow from that step as it was. Returns a line on it, or nothing.
+std::string lengthen(Scene& then, Scene& now, const std::string& file) {
+    const auto refuse = [&](const std::string& why) {
+        throw InputError(fmt::format("{}: cannot be continued: {}", file, why));
+    };
+    const std::int64_t former = then.run.steps;
+    if (now.run.steps < former) {
+        refuse(fmt::format("its {} steps are done, and run.steps = {} is fewer", former,
+                           now.run.steps));
+    }
+    if (now.run.steps == former) return "";
+    if (then.frames.logarithmic > 0) {
+        refuse(
+            "frames.logarithmic spreads its frames up to its last step; run the scene from its "
+            "start with --force");
+    }
+    if (then.output.movie && !then.output.frames && frame_schedule(then).count() > 0) {
+        refuse(
+            "its movie is made from frames that were not kept (output.frames = false); run the "
+            "scene from its start with --force");
+    }
+    then.run.steps = now.run.steps;
+    FrameSettings& frames = then.frames;
+    if (frames.every > 0 || !frames.at.empty()) return "";
+    frames.every = std::max<std::int64_t>(1, former / 100);
+    if (now.frames.every == 0) now.frames.every = frames.every;
+    return fmt::format("frames and measurements go on every {} steps (frames.every)", frames.every);
 }
 
 void check_inputs(const std::vector<InputFile>& now, const RunCheckpoint& checkpoint,
@@ -201,12 +234,16 @@ ResumedRun resume_run(const RunFolder& folder, const std::string& asked,
     work.pinned = work.pinned || parse_environment(checkpoint.drawing).pinned;
     prepare_drawing(work);
 
+    Scene then = parse_scene(checkpoint.scene, file, "");
     Scene scene = asked.empty() ? parse_scene(checkpoint.scene, file, "", options.settings)
                                 : read_scene(asked, options.settings);
     if (asked.empty()) find_inputs(scene, checkpoint.inputs, folder.checkpoint(), "run");
+    const bool was_complete = folder.is_complete();
+    resumed.is_longer = was_complete && scene.run.steps != then.run.steps;
+    if (was_complete) resumed.note = lengthen(then, scene, file);
     PreparedRun& run = resumed.run;
     run = prepare_run(std::move(scene), options.threads);
-    check_scene(run.scene, checkpoint, file);
+    check_scene(run.scene, then, file, was_complete);
     check_inputs(run.initial.inputs, checkpoint, file);
     if (!checkpoint.inputs.empty()) {  // as the run's pictures name them
         run.initial.inputs = checkpoint.inputs;

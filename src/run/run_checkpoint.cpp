@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 #include <utility>
 
 #include "base/error.h"
@@ -56,6 +57,30 @@ void serialise_beds(std::vector<BedRecord>& beds, StateArchive& archive) {
     });
 }
 
+/// Counts the bytes of a state's values.
+class StateSize : public StateArchive {
+  public:
+    void values(std::string_view /*name*/, std::span<double> values) override {
+        bytes_ += values.size_bytes();
+    }
+    void values(std::string_view /*name*/, std::span<std::int64_t> values) override {
+        bytes_ += values.size_bytes();
+    }
+    void list(std::string_view /*name*/, std::vector<double>& values) override {
+        bytes_ += values.size() * sizeof(double);
+    }
+    void list(std::string_view /*name*/, std::vector<std::int64_t>& values) override {
+        bytes_ += values.size() * sizeof(std::int64_t);
+    }
+    void text(std::string_view /*name*/, std::string& text) override { bytes_ += text.size(); }
+    [[noreturn]] void refuse(const std::string& why) const override { throw Error(why); }
+
+    [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+
+  private:
+    std::uint64_t bytes_ = 0;
+};
+
 }  // namespace
 
 void RunCheckpoint::serialise(StateArchive& archive) {
@@ -93,13 +118,27 @@ Checkpointer::Checkpointer(const RunFolder& folder, const RunParts& parts,
 void Checkpointer::before_step(Model& model, bool interrupted) {
     if (!clock_.on() || !(interrupted || clock_.due())) return;
     recorder_.settle();  // what fails there ends the run; a checkpoint that fails does not
-    if (!written_.wait_for_all()) return;
+    if (written_.wait_for_all()) try_to_write(model, "the run continues");
+}
+
+bool Checkpointer::keep_last_state(Model& model) {
+    if (!clock_.on()) return false;
+    StateSize size;
+    model.serialise(size);
+    recorder_.serialise(size);
+    if (size.bytes() > most_bytes_kept || !written_.wait_for_all()) return false;
+    return try_to_write(model, "the run cannot be made longer later");
+}
+
+bool Checkpointer::try_to_write(Model& model, std::string_view consequence) {
     try {
         write(model);
         last_ = model.steps_done();
+        return true;
     } catch (const Error& fault) {
-        report_(fmt::format("no checkpoint of step {}: {}; the run continues", model.steps_done(),
-                            fault.what()));
+        report_(fmt::format("no checkpoint of step {}: {}; {}", model.steps_done(), fault.what(),
+                            consequence));
+        return false;
     }
 }
 

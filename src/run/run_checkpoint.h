@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/state_archive.h"
@@ -72,10 +73,17 @@ class Checkpointer : public StepObserver {
     /// for it does not end the run: the former one stays.
     void before_step(Model& model, bool interrupted) override;
 
+    /// Writes a checkpoint of a complete run's last state, from which it can be gone on with to a
+    /// later step, unless that is larger than `most_bytes_kept`. Whether it is there.
+    bool keep_last_state(Model& model);
+
+    static constexpr std::uint64_t most_bytes_kept = std::uint64_t{64} << 20U;
+
     /// The step of the last one that was written.
     [[nodiscard]] std::optional<std::int64_t> last() const { return last_; }
 
   private:
+    bool try_to_write(Model& model, std::string_view consequence);
     void write(Model& model);
     void sync_to_disk();
 

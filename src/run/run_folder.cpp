@@ -88,7 +88,8 @@ void RunFolder::refuse_previous_run() const {
     if (listed_files(manifest()).files.empty()) refuse_to_replace(manifest());
     throw InputError(fmt::format(
         "{} already holds a run; name another folder, or replace it with --force{}",
-        folder_.string(), fs::exists(checkpoint(), fault) ? ", or continue it with --resume" : ""));
+        folder_.string(),
+        fs::exists(checkpoint(), fault) && !is_complete() ? ", or continue it with --resume" : ""));
 }
 
 void RunFolder::create(const RunParts& parts) {
@@ -163,15 +164,18 @@ void RunFolder::resume(const RunParts& parts, const RunCheckpoint& checkpoint) {
     make_parts(parts);
 }
 
-void RunFolder::tidy() const {
-    for (const std::string& name : files_named_as_outputs(folder_)) {
-        if (name.starts_with(movie_frames)) remove_file(name);
+void RunFolder::tidy(bool keeps_last_state) const {
+    const RunFiles run = listed_files(manifest());
+    if (run.frames == 0 && run.contains("movie.mp4")) {  // else they are of others
+        for (const std::string& name : files_named_as_outputs(folder_))
+            if (name.starts_with(movie_frames)) remove_file(name);
     }
     remove_empty_folder(folder_ / movie_frames);
     remove_fields_pieces(records().fields);
-    remove_frame_list();
     remove_file("checkpoint.fumon.part");
-    remove_file("checkpoint.fumon");  // last: while it is there, a complete run is to be tidied
+    if (keeps_last_state) return;
+    remove_frame_list();
+    remove_file("checkpoint.fumon");
 }
 
 void RunFolder::remove_frame_list() const {

@@ -28,11 +28,10 @@ RunParts run_parts(const Scene& scene, double checkpoint_minutes);
 void make_folder(const std::filesystem::path& folder);
 
 /// The folder of one run: run.json, frames/frame_000000.png …, movie.mp4, measurements.csv,
-/// avalanches.csv, fields.nc, beds/bed_00001000.asc (or another terrain format); and while the run
-/// is not complete checkpoint.fumon and frames.fumon (run/frame_list.h) and, where a movie is made
-/// and no frames,
-/// movie_frames/frame_000000.png …, from which the movie can be begun again. One program works in
-/// it at a time.
+/// avalanches.csv, fields.nc, beds/bed_00001000.asc (or another terrain format); and
+/// checkpoint.fumon and, while the run is not complete or where frames are drawn, frames.fumon
+/// (run/frame_list.h) and, where a movie is made and no frames, movie_frames/frame_000000.png …,
+/// from which the movie can be begun again. One program works in it at a time.
 class RunFolder {
   public:
     /// Makes nothing yet. Throws InputError when the folder already holds a run and `force` is not
@@ -57,8 +56,9 @@ class RunFolder {
     [[nodiscard]] bool is_complete() const;
     /// Deletes what the run wrote after its checkpoint. Throws Error.
     void resume(const RunParts& parts, const RunCheckpoint& checkpoint);
-    /// Deletes what a complete run no longer needs.
-    void tidy() const;
+    /// Deletes what a complete run no longer needs. `keeps_last_state`: not what it needs to be
+    /// gone on with to a later step.
+    void tidy(bool keeps_last_state = false) const;
     /// Takes away the list of frames, which a run without a checkpoint needs no more.
     void remove_frame_list() const;
 

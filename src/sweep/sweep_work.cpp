@@ -25,9 +25,9 @@ Attempt do_run(const SweepPlan& plan, const SweepFolder& folder, std::size_t num
     PreparedRun prepared = prepare_run(scene_of(plan, run), threads);
     if (run_id(prepared.scene, prepared.initial) != run.id)
         throw Error("one of its input files has changed since the sweep began");
-    Recorder recorder(
-        prepared.scene, prepared.model->snapshot(),
-        {folder.paths(number), resolved_scene(prepared.scene, prepared.initial.inputs)});
+    Recorder recorder(prepared.scene, prepared.model->snapshot(),
+                      {folder.paths(number),
+                       resolved_scene(prepared.scene, prepared.initial.inputs), false, threads});
     if (!simulate(prepared, recorder, record, cell_steps)) return Attempt::interrupted;
     record.state = hex(state_hash(*prepared.model));
     record.wall_seconds = watch.seconds();

@@ -69,7 +69,10 @@ struct Cost {
         const Stopwatch watch;
         Recorder recorder(
             run.scene, run.model->snapshot(),
-            {RecordPaths{file("measurements.csv"), file("avalanches.csv"), file("fields.nc")}, {}});
+            {RecordPaths{file("measurements.csv"), file("avalanches.csv"), file("fields.nc")},
+             {},
+             false,
+             0});
         Stepper(*run.model, {&recorder}).advance(at_step(steps));
         recorder.commit();
         processor = std::min(processor, cpu_seconds_of_process() - before);

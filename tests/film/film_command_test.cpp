@@ -167,6 +167,34 @@ TEST_F(FilmCommandTest, ADraftIsSmallAndHasASheet) {
     }
 }
 
+TEST_F(FilmCommandTest, ADraftSaysWhatTheWholeFilmWouldShowAndWhichEndingItTakes) {
+    // The run of 20 steps stored 11 beds.
+    const std::string note =
+        "its 60 frames show 11 stored beds, each as it is, so that the ground moves in jumps; ";
+    const std::vector<std::string> sixty{"--set", "film.rate=30", "--set", "shot.0.seconds=2",
+                                         "--set", "film.width=64"};
+    std::vector<std::string> draft{"-o", "f.mp4", "--draft"};
+    draft.insert(draft.end(), sixty.begin(), sixty.end());
+    const Ended drafted = film(draft);
+    EXPECT_EQ(drafted.status, 0);
+    EXPECT_NE(drafted.errors.find(note + "for a smoother film shorten the shot"), std::string::npos)
+        << drafted.errors;
+    const Ended smooth = film({"-o", "f.mp4", "--draft", "--set", "film.rate=16"});
+    EXPECT_EQ(smooth.errors.find("in jumps"), std::string::npos) << smooth.errors;
+    ASSERT_EQ(run({"output.fields_every=5"}).status, 0);
+    const Ended sparse = film({"-o", "f.mp4", "--set", "film.rate=16"});
+    EXPECT_NE(sparse.errors.find("its 16 frames show 5 stored beds, each as it is, so that the "
+                                 "ground moves in jumps; for a smoother film run the scene with "
+                                 "--set output.fields_every=2"),
+              std::string::npos)
+        << sparse.errors;
+
+    const Ended avi = film({"-o", "g.avi", "--draft"});
+    EXPECT_EQ(avi.status, 2);
+    EXPECT_EQ(avi.errors, "g.avi: --draft makes an MP4 and a sheet of pictures; name it g.mp4\n");
+    EXPECT_FALSE(fs::exists(folder_ / "g-draft.mp4"));
+}
+
 TEST_F(FilmCommandTest, ADraftHasLessOfItsGroundRefined) {
     const auto still = [&](const std::string& draft) {
         const Ended ended = film({"-o", draft + ".png", "--set", "film.width=320", "--set",

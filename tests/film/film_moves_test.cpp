@@ -56,6 +56,22 @@ std::string fault_of_shot(const std::string& shot) {
     return "";
 }
 
+TEST(FilmShot, SaysThatItsKeysLieInTheGround) {
+    const std::string keys = "move = \"keys\"\nclearance = 0.5\n[[shot.key]]\nat = [10, 16, ";
+    const auto note = [&](const std::string& height) {
+        return StagedFilm(keys + height + "]\n[[shot.key]]\nat = [50, 16, " + height + "]\n")
+            .staged.note();
+    };
+    EXPECT_EQ(note("9"), "");
+    EXPECT_TRUE(
+        note("-20").starts_with("shot 1: the way through its keys (shot.key.at) lies up to "))
+        << note("-20");
+    EXPECT_TRUE(
+        note("-20").ends_with("below the ground, and was lifted to shot.clearance, 0.5 "
+                              "above it"))
+        << note("-20");
+}
+
 TEST(FollowDune, KeepsTheDuneInTheMiddleAndGoesSmoothly) {
     const StagedFilm at("move = \"follow-dune\"\n");
     double way = 0.0;

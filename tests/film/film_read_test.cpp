@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "film/film_output.h"
 #include "film/script/film_sizes.h"
+#include "run/inputs/scene_argument.h"
 #include "scene/read.h"
 #include "support/temporary_folder.h"
 
@@ -45,8 +46,11 @@ TEST(FilmRead, TakesASizeAsItIsWritten) {
     EXPECT_EQ(size.height, 630);
     EXPECT_EQ(film_refusal("[film]\nsize = \"12x9000\"\n[[shot]]\n"),
               "f.toml:2:8: film.size = \"12x9000\": a film has 16 to 8192 pixels along each side");
-    EXPECT_TRUE(film_refusal("[film]\nsize = \"1200 x\"\n[[shot]]\n")
-                    .starts_with("f.toml:2:8: unknown film.size"));
+    EXPECT_EQ(film_size(parse_film("[film]\nsize = \"1920 x 1080\"\n[[shot]]\n", "f.toml")).height,
+              1080);
+    const std::string unknown = film_refusal("[film]\nsize = \"1200*630\"\n[[shot]]\n");
+    EXPECT_TRUE(unknown.starts_with("f.toml:2:8: unknown film.size")) << unknown;
+    EXPECT_TRUE(unknown.ends_with(", or pixels as in \"1920x1080\"")) << unknown;
 }
 
 TEST(FilmRead, RefusesTitlesThatStandOverOneAnother) {
@@ -81,6 +85,15 @@ TEST(FilmRead, KnowsASceneAndWordsOfOtherPrograms) {
     EXPECT_EQ(film_refusal("title = \"dunes\"\n[model]\nname = \"dunes\"\n"),
               "f.toml: is a scene, not a film; run it first (fumon run f.toml -o RUN --set "
               "output.fields_every=20), then cut a film from the run (fumon film RUN FILM)");
+    // Also where the model is that of another scene, or is missing.
+    EXPECT_TRUE(film_refusal("title = \"dunes\"\n[grid]\nnx = 30\n[bed]\nkind = \"noise\"\n")
+                    .starts_with("f.toml: is a scene, not a film; "));
+    EXPECT_TRUE(message_of<InputError>([] {
+                    film_text("terada-barchans");
+                }).starts_with("terada-barchans: is a scene, not a film; "));
+    EXPECT_EQ(message_of<InputError>([] { scene_argument("barchans"); }),
+              "barchans: is a film, not a scene; a film is cut from a run: fumon film RUN "
+              "barchans");
     EXPECT_EQ(film_refusal("[film]\nfps = 25\n[[shot]]\n"),
               "f.toml:2:1: unknown key film.fps; did you mean \"film.rate\"?");
     EXPECT_EQ(message_of<InputError>([] { film_text("barchan"); }),

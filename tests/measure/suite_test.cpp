@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <set>
 
+#include "base/worker_pool.h"
 #include "files/checkpoint.h"
+#include "support/measured_beds.h"
 #include "support/temporary_folder.h"
 
 namespace fumon {
@@ -291,6 +295,26 @@ TEST(MeasureSuite, WhatIsNotChosenIsNotComputed) {
     const auto kept_bed = 40 * 20 * sizeof(double);
     EXPECT_LT(bytes_after_a_row({"mean_height"}), kept_bed) << "no bed for a celerity";
     EXPECT_GT(bytes_after_a_row({"celerity"}), kept_bed);
+}
+
+TEST(MeasureSuite, ThreadsMeasureTheSameBits) {
+    const auto bits = [](const std::vector<double>& row) {
+        std::vector<std::uint64_t> all;
+        for (const double value : row) all.push_back(std::bit_cast<std::uint64_t>(value));
+        return all;
+    };
+    for (const int threads : {2, 3, 7}) {
+        WorkerPool pool(threads);
+        MeasureSuite alone(Landform::bed);
+        MeasureSuite together(Landform::bed);
+        for (int step = 0; step < 4; ++step) {
+            Snapshot snapshot;
+            snapshot.step = step;
+            snapshot.periodic = true;
+            snapshot.bed = test::noise(96, 64, static_cast<std::uint64_t>(step / 2 + 1));
+            EXPECT_EQ(bits(alone.row(snapshot)), bits(together.row(snapshot, &pool)));
+        }
+    }
 }
 
 TEST(MeasureSuite, GroupsAndColumnsHaveDistinctNames) {

@@ -165,8 +165,8 @@ TEST(PublishedGully, TheSteepSlopeCutsDownUntilTheRunStopsWithOneLine) {
     EXPECT_NE(line.find(" m/s at cell ("), std::string::npos) << line;
     EXPECT_NE(line.find(", t = 885.471 s, "), std::string::npos) << line;
     EXPECT_TRUE(
-        line.ends_with("; try a smaller model.time_step, more model.friction_coefficient "
-                       "or model.bed_diffusion"))
+        line.ends_with("; try a smaller model.transport_factor or model.time_step, more "
+                       "model.friction_coefficient or model.bed_diffusion"))
         << line;
     EXPECT_EQ(line.find('\n'), std::string::npos);
 }

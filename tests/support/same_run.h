@@ -10,11 +10,14 @@
 
 namespace fumon::test {
 
-/// The files of a run's folder, but for run.json.
+/// The files of a run's folder, but for run.json and what a complete run can be gone
+/// on with from.
 inline std::set<std::string> files_of_run(const std::filesystem::path& folder) {
     std::set<std::string> names;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-        if (!entry.is_regular_file() || entry.path().filename() == "run.json") continue;
+        const std::string file = entry.path().filename().string();
+        if (!entry.is_regular_file() || file == "run.json") continue;
+        if (file == "checkpoint.fumon" || file == "frames.fumon") continue;
         names.insert(std::filesystem::relative(entry.path(), folder).string());
     }
     return names;

@@ -151,7 +151,8 @@ class FieldsFile::Parts {
     void begin() { open_.emplace(file_, outline_, text_, hash_); }
 
     /// Finds what a former run left, and takes its first records.
-    void resume(const FieldsBeginning& beginning) {
+    void resume(const FieldsBeginning& beginning, bool text_is_new) {
+        text_is_new_ = text_is_new;
         LeftPieces left = find_pieces(file_, outline_, beginning, hash_);
         if (!left.difference.what.empty())
             throw InputError(fmt::format("{}: cannot be continued: it {}",
@@ -193,7 +194,8 @@ class FieldsFile::Parts {
         }
         if (open_ && open_->records() > 0) close_piece();
         open_.reset();
-        if (closed_.size() == 1 && closed_.front().used == closed_.front().records) {
+        if (!text_is_new_ && closed_.size() == 1 &&
+            closed_.front().used == closed_.front().records) {
             if (std::rename(closed_.front().path.c_str(), file_.c_str()) != 0)
                 refuse_to_write(file_, errno);
             return;
@@ -230,6 +232,7 @@ class FieldsFile::Parts {
     std::vector<ClosedPiece> closed_;
     std::optional<FieldsPiece> open_;
     std::int64_t total_ = 0;
+    bool text_is_new_ = false;
 };
 
 FieldsFile::FieldsFile(const fs::path& file, const Snapshot& first, const FieldsText& text) {
@@ -239,9 +242,9 @@ FieldsFile::FieldsFile(const fs::path& file, const Snapshot& first, const Fields
 }
 
 FieldsFile::FieldsFile(const fs::path& file, const Snapshot& first, const FieldsText& text,
-                       const FieldsBeginning& previous)
+                       const FieldsBeginning& previous, bool text_is_new)
     : parts_(std::make_unique<Parts>(file, first, text)) {
-    parts_->resume(previous);
+    parts_->resume(previous, text_is_new);
 }
 
 FieldsFile::~FieldsFile() = default;

@@ -50,9 +50,9 @@ class FieldsFile {
     /// Goes on with the first records that a run of the same first snapshot and text left in its
     /// pieces or, joined, under its name; the file gets the bytes of one that was written in one
     /// go. Throws InputError, naming the piece, where one is not there, cannot be read or has not
-    /// these records.
+    /// these records. `text_is_new`: the records were written with another text.
     FieldsFile(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text,
-               const FieldsBeginning& previous);
+               const FieldsBeginning& previous, bool text_is_new = false);
     ~FieldsFile();
     FieldsFile(const FieldsFile&) = delete;
     FieldsFile& operator=(const FieldsFile&) = delete;

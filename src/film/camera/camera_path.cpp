@@ -96,8 +96,8 @@ std::vector<CameraPose> sampled(const std::vector<CameraPose>& poses) {
 }
 
 /// Lifts what lies below the floor: by the largest lift nearby, averaged over the same stretch, so
-/// that it is never less than what is needed.
-void lift(std::vector<CameraPose>& samples, const CameraPath::Floor& floor) {
+/// that it is never less than what is needed. Returns the largest lift that is.
+double lift(std::vector<CameraPose>& samples, const CameraPath::Floor& floor) {
     const auto count = static_cast<int>(samples.size());
     std::vector<double> needed;
     needed.reserve(samples.size());
@@ -106,7 +106,7 @@ void lift(std::vector<CameraPose>& samples, const CameraPath::Floor& floor) {
         needed.push_back(std::max(0.0, floor(pose.eye.x, pose.eye.y) - pose.eye.z));
         any = any || needed.back() > 0.0;
     }
-    if (!any) return;
+    if (!any) return 0.0;
     const auto clamped = [count](int i) {
         return static_cast<std::size_t>(std::clamp(i, 0, count - 1));
     };
@@ -131,6 +131,7 @@ void lift(std::vector<CameraPose>& samples, const CameraPath::Floor& floor) {
     }
     for (int i = 0; i < count; ++i)
         samples[clamped(i)].eye.z += std::max(largest[clamped(i)], needed[clamped(i)]);
+    return *std::ranges::max_element(needed);
 }
 
 }  // namespace
@@ -138,7 +139,7 @@ void lift(std::vector<CameraPose>& samples, const CameraPath::Floor& floor) {
 CameraPath::CameraPath(const std::vector<CameraPose>& poses, const Floor& floor, Timing timing)
     : timing_(timing) {
     samples_ = poses.size() > 1 ? sampled(poses) : poses;
-    if (floor) lift(samples_, floor);
+    if (floor) lifted_ = lift(samples_, floor);
     distances_.push_back(0.0);
     for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
         length_ += glm::length(samples_[i + 1].eye - samples_[i].eye);

@@ -41,11 +41,14 @@ class CameraPath {
     [[nodiscard]] CameraPose at(double share) const;
     /// Of the eye's way, block lengths.
     [[nodiscard]] double length() const { return length_; }
+    /// By how much the eye's way lay below the floor, block lengths.
+    [[nodiscard]] double lifted() const { return lifted_; }
 
   private:
     std::vector<CameraPose> samples_;  ///< dense
     std::vector<double> distances_;    ///< of each from the first, along the way
     double length_ = 0.0;
+    double lifted_ = 0.0;
     Timing timing_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "film/beds/film_runs.h"
@@ -24,11 +25,14 @@ class StagedShot {
     /// The share of the shot, not of the way.
     [[nodiscard]] CameraPose pose_at(double share) const;
     [[nodiscard]] const BedClock& clock() const { return clock_; }
+    /// One line where the shot's keys lie in the ground, or nothing.
+    [[nodiscard]] const std::string& note() const { return note_; }
 
   private:
     BedClock clock_;
     CameraPath path_;
     CameraSpeed speed_;
+    std::string note_;
 };
 
 }  // namespace fumon

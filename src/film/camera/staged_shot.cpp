@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "film/camera/moves.h"
@@ -55,6 +57,13 @@ StagedShot::StagedShot(const Film& film, std::size_t shot, const FilmStage& stag
       path_(path_of(film, shot, stage, runs, clock_)),
       // What is followed goes its own pace.
       speed_(goes_with_subject(film.shots[shot]) ? CameraSpeed::constant : film.shots[shot].speed) {
+    const double upward = stage.block.exaggeration / stage.block.side;
+    const double clearance = clearance_of(film.shots[shot], stage);
+    if (film.shots[shot].keys.empty() || !(path_.lifted() > clearance)) return;
+    note_ = fmt::format(
+        "shot {}: the way through its keys (shot.key.at) lies up to {:.3g} below the ground, and "
+        "was lifted to shot.clearance, {:.3g} above it",
+        shot + 1, (path_.lifted() - clearance) / upward, clearance / upward);
 }
 
 CameraPose StagedShot::pose_at(double share) const {

@@ -71,6 +71,7 @@ struct FilmSettings {
     FilmBackground background = FilmBackground::scene;
     double poster_second = -1.0;  ///< below 0: the middle
     bool draft = false;           ///< coarser ground, encoded quickly
+    double frames_for_one = 1.0;  ///< of the film, for each of a draft's
 };
 
 /// What a camera looks at.

@@ -39,14 +39,19 @@ constexpr std::array<NamedSize, 9> named_sizes{{{"1080p", {1920, 1080}},
 std::optional<FilmSize> sides_of(std::string_view text) {
     const std::size_t cross = text.find('x');
     if (cross == std::string_view::npos) return std::nullopt;
+    const auto trimmed = [](std::string_view part) {
+        while (part.starts_with(' ')) part.remove_prefix(1);
+        while (part.ends_with(' ')) part.remove_suffix(1);
+        return part;
+    };
     FilmSize sides;
     const auto is_number = [](std::string_view digits, std::int64_t& number) {
         const char* end = digits.data() + digits.size();
         const auto [at, fault] = std::from_chars(digits.data(), end, number);
         return fault == std::errc() && at == end;
     };
-    if (!is_number(text.substr(0, cross), sides.width)) return std::nullopt;
-    if (!is_number(text.substr(cross + 1), sides.height)) return std::nullopt;
+    if (!is_number(trimmed(text.substr(0, cross)), sides.width)) return std::nullopt;
+    if (!is_number(trimmed(text.substr(cross + 1)), sides.height)) return std::nullopt;
     return sides;
 }
 
@@ -86,8 +91,10 @@ FilmSize film_size(const Film& film) {
     std::vector<std::string> known;
     known.reserve(named_sizes.size());
     for (const NamedSize& named : named_sizes) known.emplace_back(named.name);
-    throw InputError(fmt::format("{}unknown film.size \"{}\"; {}", film.at("film.size"),
-                                 settings.size, suggestion(settings.size, known)));
+    throw InputError(
+        fmt::format("{}unknown film.size \"{}\"; {}, or pixels as in "
+                    "\"1920x1080\"",
+                    film.at("film.size"), settings.size, suggestion(settings.size, known)));
 }
 
 }  // namespace fumon

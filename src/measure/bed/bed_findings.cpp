@@ -7,38 +7,45 @@ namespace fumon {
 void BedFindings::begin(const Snapshot& snapshot) {
     snapshot_ = &snapshot;
     wind_ = downwind(snapshot);
-    turned_.reset();
-    statistics_.reset();
-    power_.reset();
-    waves_.reset();
-    orientation_.reset();
+    turned_.forget();
+    statistics_.forget();
+    power_.forget();
+    waves_.forget();
+    orientation_.forget();
+}
+
+const BedAlongWind& BedFindings::turned(const HorizontalDirection& direction) {
+    return turned_.get([&] { return bed_along_wind(*snapshot_, direction); });
 }
 
 const Grid& BedFindings::along() {
     const HorizontalDirection direction = wind_.value_or(HorizontalDirection{});
-    if (direction.is_east()) return snapshot_->bed;
-    if (!turned_) turned_ = bed_along_wind(*snapshot_, direction);
-    return turned_->bed;
+    return direction.is_east() ? snapshot_->bed : turned(direction).bed;
 }
 
 bool BedFindings::along_is_periodic() {
-    along();
-    return turned_ ? turned_->periodic : snapshot_->periodic;
+    const HorizontalDirection direction = wind_.value_or(HorizontalDirection{});
+    return direction.is_east() ? snapshot_->periodic : turned(direction).periodic;
 }
 
 const BedStatistics& BedFindings::statistics() {
-    if (!statistics_) statistics_ = bed_statistics(snapshot_->bed, snapshot_->nodata);
-    return *statistics_;
+    return statistics_.get([&] { return bed_statistics(snapshot_->bed, snapshot_->nodata); });
 }
 
 const RowPower& BedFindings::power() {
-    if (!power_) power_ = power_of_rows(along(), along_is_periodic());
-    return *power_;
+    return power_.get([&] {
+        return along_is_periodic() ? find_row_spectra(along(), spectra_)
+                                   : power_of_rows(along(), false);
+    });
+}
+
+RowSpectra& BedFindings::spectra() {
+    power();
+    return spectra_;
 }
 
 const BedWaves& BedFindings::waves() {
-    if (!waves_) waves_ = bed_waves(along(), along_is_periodic());
-    return *waves_;
+    return waves_.get([&] { return bed_waves(along(), along_is_periodic()); });
 }
 
 double BedFindings::wavelength() {
@@ -46,8 +53,7 @@ double BedFindings::wavelength() {
 }
 
 const CrestOrientation& BedFindings::orientation() {
-    if (!orientation_) orientation_ = crest_orientation(snapshot_->bed, snapshot_->periodic);
-    return *orientation_;
+    return orientation_.get([&] { return crest_orientation(snapshot_->bed, snapshot_->periodic); });
 }
 
 }  // namespace fumon

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include "base/snapshot.h"
@@ -13,12 +14,30 @@
 
 namespace fumon {
 
+/// What is found when it is first asked for. Threads may ask at once.
+template <class Found>
+class FoundOnce {
+  public:
+    template <class Find>
+    Found& get(const Find& find) {
+        const std::lock_guard lock(mutex_);
+        if (!found_) found_.emplace(find());
+        return *found_;
+    }
+    /// No thread asks meanwhile.
+    void forget() { found_.reset(); }
+
+  private:
+    std::mutex mutex_;
+    std::optional<Found> found_;
+};
+
 /// What the measures of a snapshot's bed share. Each is found when it is first asked for, once a
-/// snapshot.
+/// snapshot; threads may ask at once.
 class BedFindings {
   public:
     /// What is asked from now on is found in this snapshot, which must not go before the next
-    /// call.
+    /// call. No thread asks meanwhile.
     void begin(const Snapshot& snapshot);
 
     [[nodiscard]] const Snapshot& snapshot() const { return *snapshot_; }
@@ -34,14 +53,21 @@ class BedFindings {
     double wavelength();                    ///< wavelength_of_spectrum
     const CrestOrientation& orientation();  ///< of the bed as it lies
 
+    /// The spectra of the rows of the bed along the wind, where that is periodic. One thread asks,
+    /// and may take them for others, whose memory is used again.
+    RowSpectra& spectra();
+
   private:
+    const BedAlongWind& turned(const HorizontalDirection& direction);
+
     const Snapshot* snapshot_ = nullptr;
     std::optional<HorizontalDirection> wind_;
-    std::optional<BedAlongWind> turned_;
-    std::optional<BedStatistics> statistics_;
-    std::optional<RowPower> power_;
-    std::optional<BedWaves> waves_;
-    std::optional<CrestOrientation> orientation_;
+    FoundOnce<BedAlongWind> turned_;
+    FoundOnce<BedStatistics> statistics_;
+    FoundOnce<RowPower> power_;
+    RowSpectra spectra_;  ///< found with the power
+    FoundOnce<BedWaves> waves_;
+    FoundOnce<CrestOrientation> orientation_;
 };
 
 /// Those of the groups of one suite.

@@ -51,7 +51,40 @@ auto of_shared(const SharedFindings& findings) {
 struct BedBefore {
     Grid bed;
     std::int64_t step = 0;
+    RowSpectra spectra;                        ///< of its rows along a wind
+    std::optional<HorizontalDirection> along;  ///< that wind; none: there are no spectra
 };
+
+/// The celerity since the bed before, which this bed takes the place of.
+Celerity celerity_since(BedBefore& before, BedFindings& on) {
+    const Snapshot& snapshot = on.snapshot();
+    const std::optional<HorizontalDirection>& wind = on.wind();
+    const bool is_later =
+        wind && snapshot.periodic && !before.bed.empty() && snapshot.step > before.step;
+    Snapshot earlier;
+    earlier.step = before.step;
+    earlier.bed = std::move(before.bed);
+    earlier.scale = snapshot.scale;
+    earlier.periodic = true;
+    Celerity celerity;
+    if (wind && on.along_is_periodic()) {
+        RowSpectra& spectra = on.spectra();
+        if (is_later) {
+            if (!before.along || before.along->x != wind->x || before.along->y != wind->y)
+                find_row_spectra(bed_along_wind(earlier, *wind).bed, before.spectra);
+            celerity = celerity_of_spectra(before.spectra, spectra, snapshot.step - earlier.step);
+        }
+        std::swap(before.spectra, spectra);
+        before.along = wind;
+    } else {
+        before.along.reset();
+        if (is_later) celerity = celerity_along(earlier, snapshot, *wind);
+    }
+    before.bed = std::move(earlier.bed);
+    before.bed = snapshot.bed;  // into the same memory
+    before.step = snapshot.step;
+    return celerity;
+}
 
 void serialise_previous_bed(BedBefore& before, StateArchive& archive) {
     std::vector<std::int64_t> size{before.bed.nx(), before.bed.ny()};
@@ -69,6 +102,7 @@ void serialise_previous_bed(BedBefore& before, StateArchive& archive) {
     }
     before.bed = Grid(static_cast<int>(size[0]), static_cast<int>(size[1]));
     std::ranges::copy(heights, before.bed.values().begin());
+    before.along.reset();
 }
 
 /// Whether a bed is sand alone, down to height 0.
@@ -145,25 +179,8 @@ MeasureGroup wave_group(const Snapshot& /*first*/, const SharedFindings& finding
 MeasureGroup celerity_group(const Snapshot& /*first*/, const SharedFindings& findings) {
     const auto before = std::make_shared<BedBefore>();
     MeasureGroup group = group_of<Celerity>(
-        of_whole_beds([before, findings](const Snapshot& snapshot) {
-            Celerity celerity;
-            const std::optional<HorizontalDirection>& direction = findings->wind();
-            if (direction && snapshot.periodic && !before->bed.empty() &&
-                snapshot.step > before->step) {
-                Snapshot earlier;
-                earlier.step = before->step;
-                earlier.bed = std::move(before->bed);
-                earlier.scale = snapshot.scale;
-                earlier.periodic = true;
-                celerity = direction->is_east() ? celerity_along_x(earlier.bed, snapshot.bed,
-                                                                   snapshot.step - earlier.step)
-                                                : celerity_along(earlier, snapshot, *direction);
-                before->bed = std::move(earlier.bed);
-            }
-            before->bed = snapshot.bed;  // into the same memory
-            before->step = snapshot.step;
-            return celerity;
-        }),
+        of_whole_beds(
+            [before, findings](const Snapshot&) { return celerity_since(*before, *findings); }),
         {{"celerity", "sites/step", "downwind, by correlation with the row before",
           &Celerity::sites_per_step},
          {"celerity_correlation", "", "how well the bed before fits when moved so",

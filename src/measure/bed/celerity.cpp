@@ -7,7 +7,6 @@
 
 #include "base/error.h"
 #include "measure/bed/bed_along_wind.h"
-#include "measure/bed/row_spectrum.h"
 #include "numerics/peak_offset.h"
 
 namespace fumon {
@@ -127,6 +126,11 @@ std::vector<double> correlations_along(const Snapshot& earlier, const Snapshot& 
 Celerity celerity_along_x(const Grid& earlier, const Grid& later, std::int64_t steps) {
     if (steps < 1) throw Error("a celerity needs two snapshots at least one step apart");
     return celerity_of(cross_correlation_along_x(earlier, later), steps);
+}
+
+Celerity celerity_of_spectra(const RowSpectra& earlier, const RowSpectra& later,
+                             std::int64_t steps) {
+    return celerity_of(cross_correlation(earlier, later), steps);
 }
 
 Celerity celerity_along(const Snapshot& earlier, const Snapshot& later,

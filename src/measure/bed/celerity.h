@@ -6,6 +6,7 @@
 #include "base/grid.h"
 #include "base/snapshot.h"
 #include "base/snapshot_lookup.h"
+#include "measure/bed/row_spectrum.h"
 
 namespace fumon {
 
@@ -30,6 +31,10 @@ struct Celerity {
 /// in between. Two different speeds, of large and small dunes, come out as that of the greater
 /// relief. Throws Error for beds of different size and for steps < 1.
 Celerity celerity_along_x(const Grid& earlier, const Grid& later, std::int64_t steps);
+
+/// The same of beds whose rows run along x or were turned so, by the spectra of their rows.
+Celerity celerity_of_spectra(const RowSpectra& earlier, const RowSpectra& later,
+                             std::int64_t steps);
 
 /// The same along any way, of two snapshots of one periodic bed. Along an axis of a grid of square
 /// cells it is celerity_along_x of the turned bed; else displacements of up to half the columns

@@ -27,14 +27,25 @@ std::vector<double> hann_window(std::size_t length) {
     return window;
 }
 
+/// Adds the power of each mode of a batch's spectra, row by row.
+void add_power(const double* real, const double* imaginary, std::vector<double>& power) {
+    constexpr std::size_t rows = RowBatch::rows;
+    for (std::size_t k = 0; k < power.size(); ++k) {
+        const double* re = real + k * rows;
+        const double* im = imaginary + k * rows;
+        for (std::size_t row = 0; row < rows; ++row)
+            power[k] += re[row] * re[row] + im[row] * im[row];
+    }
+}
+
 /// The transforms of rows' departures, a batch at a time, along `length` sites (those past nx are
 /// zero).
-class RowSpectra {
+class RowTransformer {
   public:
     static constexpr std::size_t rows = FourierTransform::rows;
     static_assert(rows == RowBatch::rows);
 
-    RowSpectra(std::size_t nx, std::size_t length)
+    RowTransformer(std::size_t nx, std::size_t length)
         : transform_(length),
           scratch_(transform_.scratch()),
           padded_(length > nx ? length * rows : 0),
@@ -43,6 +54,11 @@ class RowSpectra {
 
     /// Of a batch of detrended rows, times a window where there is one.
     void transform(const RowBatch& batch, std::span<const double> window = {}) {
+        transform(batch, window, real_.data(), imaginary_.data());
+    }
+    /// Of a batch of detrended rows, to a place for real_.size() values each.
+    void transform(const RowBatch& batch, std::span<const double> window, double* real,
+                   double* imaginary) {
         const double* values = batch.values();
         if (!window.empty() || !padded_.empty()) {
             padded_.resize(std::max(padded_.size(), batch.nx() * rows));
@@ -53,20 +69,12 @@ class RowSpectra {
             }
             values = padded_.data();
         }
-        transform_.forward(values, rows, real_.data(), imaginary_.data(), rows, scratch_);
+        transform_.forward(values, rows, real, imaginary, rows, scratch_);
     }
     /// Adds the power of each mode, row by row.
     void add_power(std::vector<double>& power) const {
-        for (std::size_t k = 0; k < power.size(); ++k) {
-            const double* re = real(k);
-            const double* im = imaginary(k);
-            for (std::size_t row = 0; row < rows; ++row)
-                power[k] += re[row] * re[row] + im[row] * im[row];
-        }
+        fumon::add_power(real_.data(), imaginary_.data(), power);
     }
-    /// Of mode k, the batch's rows side by side.
-    [[nodiscard]] const double* real(std::size_t k) const { return &real_[k * rows]; }
-    [[nodiscard]] const double* imaginary(std::size_t k) const { return &imaginary_[k * rows]; }
 
   private:
     FourierTransform transform_;
@@ -112,8 +120,8 @@ RowPower power_of_rows(const Grid& bed, bool periodic) {
     RowPower power;
     power.windowed.resize(nx / 2 + 1);
     RowBatch batch(nx);
-    RowSpectra spectra(nx, nx);
-    std::optional<RowSpectra> of_padded;
+    RowTransformer spectra(nx, nx);
+    std::optional<RowTransformer> of_padded;
     if (!periodic) {
         of_padded.emplace(nx, padded);
         power.padded.resize(padded / 2 + 1);
@@ -154,40 +162,70 @@ std::vector<double> autocorrelation_along_x(const Grid& bed, bool periodic) {
                            periodic);
 }
 
-std::vector<double> cross_correlation_along_x(const Grid& earlier, const Grid& later) {
-    if (earlier.nx() != later.nx() || earlier.ny() != later.ny()) {
-        throw Error("the two compared beds differ in size");
-    }
-    if (earlier.empty()) return {};
-    const auto nx = static_cast<std::size_t>(earlier.nx());
+RowPower find_row_spectra(const Grid& bed, RowSpectra& spectra) {
+    spectra.nx = bed.nx();
+    spectra.ny = bed.ny();
+    spectra.squares = 0.0;
+    if (bed.empty()) return {};
+    constexpr std::size_t rows = RowBatch::rows;
+    const auto nx = static_cast<std::size_t>(bed.nx());
+    const std::size_t of_batch = (nx / 2 + 1) * rows;
+    const std::size_t batches = (static_cast<std::size_t>(bed.ny()) + rows - 1) / rows;
+    spectra.real.resize(of_batch * batches);
+    spectra.imaginary.resize(of_batch * batches);
+    RowPower power;
+    power.windowed.resize(nx / 2 + 1);
     RowBatch batch(nx);
-    RowSpectra spectra(nx, nx);
-    constexpr std::size_t pairs = RowBatch::rows / 2;  // the later rows come after the earlier
+    RowTransformer transformer(nx, nx);
+    for (std::size_t j = 0; j < batches; ++j) {
+        const auto first = static_cast<int>(j * rows);
+        batch.take(bed, first, rows_from(bed, first));
+        batch.detrend(true);
+        for (const double squares : batch.squares()) spectra.squares += squares;
+        double* real = spectra.real.data() + j * of_batch;
+        double* imaginary = spectra.imaginary.data() + j * of_batch;
+        transformer.transform(batch, {}, real, imaginary);
+        add_power(real, imaginary, power.windowed);
+    }
+    return power;
+}
+
+std::vector<double> cross_correlation_along_x(const Grid& earlier, const Grid& later) {
+    RowSpectra before;
+    RowSpectra after;
+    find_row_spectra(earlier, before);
+    find_row_spectra(later, after);
+    return cross_correlation(before, after);
+}
+
+std::vector<double> cross_correlation(const RowSpectra& earlier, const RowSpectra& later) {
+    if (earlier.nx != later.nx || earlier.ny != later.ny)
+        throw Error("the two compared beds differ in size");
+    const double whole = std::sqrt(earlier.squares * later.squares);
+    if (!(whole > 0.0)) return {};
+    constexpr std::size_t rows = RowBatch::rows;
+    const auto nx = static_cast<std::size_t>(earlier.nx);
+    const std::size_t of_batch = (nx / 2 + 1) * rows;
+    // Eight sums side by side for each mode, each of every eighth row.
+    std::vector<double> real(of_batch);
+    std::vector<double> imaginary(of_batch);
+    for (std::size_t first = 0; first < earlier.real.size(); first += of_batch) {
+        const double* before_real = earlier.real.data() + first;
+        const double* before_imaginary = earlier.imaginary.data() + first;
+        const double* after_real = later.real.data() + first;
+        const double* after_imaginary = later.imaginary.data() + first;
+        for (std::size_t i = 0; i < of_batch; ++i) {
+            real[i] += before_real[i] * after_real[i] + before_imaginary[i] * after_imaginary[i];
+            imaginary[i] +=
+                before_real[i] * after_imaginary[i] - before_imaginary[i] * after_real[i];
+        }
+    }
     std::vector<double> products_real(nx / 2 + 1);
     std::vector<double> products_imaginary(nx / 2 + 1);
-    double earlier_squares = 0.0;
-    double later_squares = 0.0;
-    for (int first = 0; first < earlier.ny(); first += static_cast<int>(pairs)) {
-        const int count = std::min(static_cast<int>(pairs), earlier.ny() - first);
-        batch.take(earlier, first, count, 0, pairs);
-        batch.take(later, first, count, pairs);
-        batch.detrend(true);
-        for (std::size_t row = 0; row < static_cast<std::size_t>(count); ++row) {
-            earlier_squares += batch.squares()[row];
-            later_squares += batch.squares()[pairs + row];
-        }
-        spectra.transform(batch);
-        for (std::size_t k = 0; k < products_real.size(); ++k) {
-            const double* re = spectra.real(k);
-            const double* im = spectra.imaginary(k);
-            for (std::size_t row = 0; row < pairs; ++row) {
-                products_real[k] += re[row] * re[pairs + row] + im[row] * im[pairs + row];
-                products_imaginary[k] += re[row] * im[pairs + row] - im[row] * re[pairs + row];
-            }
-        }
+    for (std::size_t i = 0; i < of_batch; ++i) {
+        products_real[i / rows] += real[i];
+        products_imaginary[i / rows] += imaginary[i];
     }
-    const double whole = std::sqrt(earlier_squares * later_squares);
-    if (!(whole > 0.0)) return {};
     std::vector<double> result = back_to_shifts(products_real, products_imaginary, nx);
     for (double& value : result) value /= whole;
     return result;

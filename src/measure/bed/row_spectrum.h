@@ -18,6 +18,20 @@ struct RowPower {
 /// Both powers in one pass over the bed.
 RowPower power_of_rows(const Grid& bed, bool periodic);
 
+/// The transforms of the rows of a periodic bed.
+struct RowSpectra {
+    int nx = 0;  ///< of the bed; 0: of none
+    int ny = 0;
+    /// Of rows 8j … 8j + 7 one after the other, of each the modes k = 0 … nx/2, of each the eight
+    /// rows side by side; rows that the bed lacks are zero.
+    std::vector<double> real;
+    std::vector<double> imaginary;
+    double squares = 0.0;  ///< of all departures
+};
+
+/// The spectra of a periodic bed's rows, into the memory of others, and their power.
+RowPower find_row_spectra(const Grid& bed, RowSpectra& spectra);
+
 /// The power |F(k)|² of the bed's departures along x (see RowBatch::detrend) in wave numbers
 /// k = 0 … nx/2 (cycles per row), summed over the rows. The rows of a bed that is not periodic are
 /// brought to zero at their ends by a Hann window first, which widens a peak to three bins. Empty
@@ -38,5 +52,8 @@ std::vector<double> autocorrelation(const RowPower& of_rows, std::size_t nx, boo
 /// sites toward +x. Both beds periodic and of one size (throws Error). Empty where one of them has
 /// no relief along x.
 std::vector<double> cross_correlation_along_x(const Grid& earlier, const Grid& later);
+
+/// The same from the spectra of their rows.
+std::vector<double> cross_correlation(const RowSpectra& earlier, const RowSpectra& later);
 
 }  // namespace fumon

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "base/error.h"
 #include "base/limits.h"
 #include "base/snapshots/ground_range.h"
+#include "models/shared/unstable.h"
 
 namespace fumon {
 
@@ -25,10 +25,10 @@ void check(const Snapshot& snapshot, const Grid& field, std::string_view name,
     if (cell == field.size()) return;
     const auto nx = static_cast<std::size_t>(field.nx());
     const double value = factor * field.values()[cell];
-    throw Error(fmt::format(
-        "{} became {} at {} ({}, {}), {}; try smaller rates (`fumon describe` lists the ranges)",
-        name, std::isnan(value) ? "nan" : fmt::format("{}", value), place, cell % nx, cell / nx,
-        moment(snapshot)));
+    throw Unstable(fmt::format("{} became {} at {} ({}, {}), {}", name,
+                               std::isnan(value) ? "nan" : fmt::format("{}", value), place,
+                               cell % nx, cell / nx, moment(snapshot)),
+                   "smaller rates (`fumon describe` lists the ranges)");
 }
 
 }  // namespace

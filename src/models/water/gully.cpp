@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/state_archive.h"
 #include "base/worker_pool.h"
+#include "models/shared/unstable.h"
 #include "models/water/kernels/fault_vectors.h"
 #include "models/water/shallow_water.h"
 
@@ -22,11 +23,10 @@ namespace {
 
 [[noreturn]] void report(const Water& water, const Grid& bed, int y, double time) {
     const auto fail = [&](const char* quantity, double value, const char* unit, int x) {
-        throw Error(
-            fmt::format("{} became {:.4g} {} at cell ({}, {}), t = {:.6g} s; try a smaller "
-                        "model.courant_number or model.time_step, more model.bed_diffusion or "
-                        "model.scheme = \"cip\"",
-                        quantity, value, unit, x, y, time));
+        throw Unstable(fmt::format("{} became {:.4g} {} at cell ({}, {}), t = {:.6g} s", quantity,
+                                   value, unit, x, y, time),
+                       "a smaller model.courant_number or model.time_step, more "
+                       "model.bed_diffusion or model.scheme = \"cip\"");
     };
     for (int x = 0; x < bed.nx(); ++x) {
         const double depth = water.depth(x, y);
@@ -60,7 +60,8 @@ void check_water(const Water& water, const Grid& bed, double time, WorkerPool& p
 
 /// Throws the Error that the flow has become too fast to follow: it names the fastest cell, its
 /// speed, and `reason`, which says what that asks of the sub-steps.
-void refuse_speed(const Water& water, double time, const std::string& reason) {
+void refuse_speed(const Water& water, double time, const std::string& reason,
+                  const std::string& remedies) {
     const auto speed = [&](int x, int y) {
         const double u = water.velocity_x(x, y);
         const double v = water.velocity_y(x, y);
@@ -75,11 +76,21 @@ void refuse_speed(const Water& water, double time, const std::string& reason) {
             fastest_y = y;
         }
     }
-    throw Error(
-        fmt::format("the speed became {:.4g} m/s at cell ({}, {}), t = {:.6g} s, so that {}; try a "
-                    "smaller model.time_step, more model.friction_coefficient or "
-                    "model.bed_diffusion",
-                    speed(fastest_x, fastest_y), fastest_x, fastest_y, time, reason));
+    throw Unstable(
+        fmt::format("the speed became {:.4g} m/s at cell ({}, {}), t = {:.6g} s, so that {}",
+                    speed(fastest_x, fastest_y), fastest_x, fastest_y, time, reason),
+        remedies);
+}
+
+/// What slows the water, and the ground that it digs itself down into.
+std::string remedies_of_speed(const GullyParameters& parameters) {
+    const bool has_loads = parameters.transport == SedimentTransport::loads;
+    const bool digs = !has_loads && parameters.transport_factor.value > 0.0;
+    return fmt::format(
+        "a smaller {}model.time_step, more model.friction_coefficient or model.bed_diffusion",
+        has_loads ? "model.morphological_factor or "
+        : digs    ? "model.transport_factor or "
+                  : "");
 }
 
 double largest_difference(const Grid& a, const Grid& b, WorkerPool& pool) {
@@ -173,7 +184,8 @@ void Gully::step() {
         remaining = dt == remaining ? 0.0 : remaining - dt;
         if (++substeps_ > most_substeps) {
             refuse_speed(water_, elapsed,
-                         fmt::format("a step takes more than {} sub-steps", most_substeps));
+                         fmt::format("a step takes more than {} sub-steps", most_substeps),
+                         remedies_of_speed(parameters_));
         }
     }
     if (transports_loads()) loads_->fail_banks(bed_);
@@ -203,13 +215,14 @@ double Gully::sub_step_size(double remaining, double elapsed) const {
     if (!(pieces <= most_substeps)) {
         check_water(water_, bed_, elapsed, pool_);
         if (of_bed > remaining / limit) {
-            throw Error(fmt::format(
-                "the bed changes so fast at t = {:.6g} s that a step would take {:.3g} sub-steps; "
-                "try a smaller model.morphological_factor, model.entrainment_rate or "
-                "model.time_step",
-                elapsed, pieces));
+            throw Unstable(
+                fmt::format("the bed changes so fast at t = {:.6g} s that a step would take {:.3g} "
+                            "sub-steps",
+                            elapsed, pieces),
+                "a smaller model.morphological_factor, model.entrainment_rate or model.time_step");
         }
-        refuse_speed(water_, elapsed, fmt::format("a sub-step would be {:.3g} s", limit));
+        refuse_speed(water_, elapsed, fmt::format("a sub-step would be {:.3g} s", limit),
+                     remedies_of_speed(parameters_));
     }
     return remaining / pieces;
 }

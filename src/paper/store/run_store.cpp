@@ -204,7 +204,7 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
         Recorder recorder(
             prepared.scene, first,
             {RecordPaths{made / "measurements.csv", made / "avalanches.csv", made / "fields.nc"},
-             resolved_scene(prepared.scene, prepared.initial.inputs)});
+             resolved_scene(prepared.scene, prepared.initial.inputs), false, threads});
         if (!simulate(prepared, recorder, record, cell_steps)) {
             remove_folder(made);
             return Attempt::interrupted;

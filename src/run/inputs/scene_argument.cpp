@@ -51,6 +51,11 @@ std::string scene_argument(const std::string& given) {
         if (const auto shipped = find_data_file(folder + file)) return shipped->string();
     }
     if (!is_word || path.has_extension() || fs::exists(path, fault)) return given;
+    if (find_data_file("scenes/films/" + file)) {
+        throw InputError(
+            fmt::format("{}: is a film, not a scene; a film is cut from a run: fumon film RUN {}",
+                        given, given));
+    }
     const std::vector<std::string> names = shipped_names();
     if (names.empty()) static_cast<void>(data_file("scenes"));  // says where they were looked for
     const std::string nearest = nearest_name(given, names);
