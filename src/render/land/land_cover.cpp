@@ -1,8 +1,10 @@
 #include "render/land/land_cover.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "base/elementary.h"
@@ -57,6 +59,37 @@ GroundSlope slope_of(const Grid& ground, const Mask& nodata, int x, int y, doubl
     return {along(1, 0, dx), along(0, 1, dy)};
 }
 
+/// A mean over some cells of those that are land, three times along both axes: single ways of water
+/// show the directions of the grid.
+Grid softened(Grid field, const Mask& nodata) {
+    constexpr int passes = 3;
+    const int nx = field.nx();
+    const int ny = field.ny();
+    const auto mean_along = [&](const Grid& from, int x, int y, int u, int v) {
+        constexpr std::array<double, 5> weights{1.0, 4.0, 6.0, 4.0, 1.0};
+        double sum = 0.0;
+        double weight = 0.0;
+        for (int k = -2; k <= 2; ++k) {
+            const int at_x = x + k * u;
+            const int at_y = y + k * v;
+            if (at_x < 0 || at_y < 0 || at_x >= nx || at_y >= ny) continue;
+            if (!nodata.empty() && nodata(at_x, at_y) != 0) continue;
+            const double share = weights.at(static_cast<std::size_t>(k + 2));
+            sum += share * from(at_x, at_y);
+            weight += share;
+        }
+        return weight > 0.0 ? sum / weight : from(x, y);
+    };
+    for (int pass = 0; pass < passes; ++pass) {
+        Grid across(nx, ny);
+        for (int y = 0; y < ny; ++y)
+            for (int x = 0; x < nx; ++x) across(x, y) = mean_along(field, x, y, 1, 0);
+        for (int y = 0; y < ny; ++y)
+            for (int x = 0; x < nx; ++x) field(x, y) = mean_along(across, x, y, 0, 1);
+    }
+    return field;
+}
+
 }  // namespace
 
 Field<CellCover> land_cover(const Snapshot& snapshot, std::optional<double> snow_line) {
@@ -83,11 +116,13 @@ Field<CellCover> land_cover(const Snapshot& snapshot, std::optional<double> snow
             wetness(x, y) = elementary::log(area(x, y) / snapshot.scale.dx /
                                             std::max(steep(x, y), least_slope));
             steeps.push_back(steep(x, y));
-            wetnesses.push_back(wetness(x, y));
             low = std::min(low, ground(x, y));
             high = std::max(high, ground(x, y));
         }
     }
+    wetness = softened(std::move(wetness), nodata);
+    for (std::size_t i = 0; i < wetness.size(); ++i)
+        if (is_land(i)) wetnesses.push_back(wetness.values()[i]);
     const double rock_from =
         std::clamp(value_at(steeps, 1.0 - steepest_share), least_rock_slope, most_rock_slope);
     const double dry = value_at(wetnesses, dry_share);
