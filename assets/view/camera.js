@@ -153,6 +153,7 @@ export function reset() {
 function pressed(event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const far = event.shiftKey;
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;  // with Caps Lock too
   const moves = {
     ArrowLeft: () => (far ? pan(-0.05, 0) : turn(-4, 0)), ArrowRight: () => (far ? pan(0.05, 0) : turn(4, 0)),
     ArrowUp: () => (far ? pan(0, 0.05) : turn(0, 3)), ArrowDown: () => (far ? pan(0, -0.05) : turn(0, -3)),
@@ -160,8 +161,8 @@ function pressed(event) {
     w: () => fly(0.03, 0, 0), s: () => fly(-0.03, 0, 0), a: () => fly(0, -0.03, 0), d: () => fly(0, 0.03, 0),
     e: () => fly(0, 0, 0.02), q: () => fly(0, 0, -0.02),
   };
-  if (event.key === "r") reset();
-  else if (moves[event.key]) act(moves[event.key], { again: event.repeat });
+  if (key === "r") reset();
+  else if (moves[key]) act(moves[key], { again: event.repeat });
   else return;
   event.preventDefault();
 }

@@ -72,7 +72,12 @@ function row(key) {
 
 async function change(key, text) {
   const { wrong } = rows.get(key.key);
-  const { fault } = await (await post("check", { settings: settings({ [key.key]: text }) })).json();
+  let fault;
+  try {
+    ({ fault } = await (await post("check", { settings: settings({ [key.key]: text }) })).json());
+  } catch (refusal) {
+    fault = refusal.message;
+  }
   if (fault) {
     wrong.textContent = fault.replaceAll(/^--set \d+(:\d+)?: /gm, "");
     wrong.hidden = false;

@@ -87,7 +87,7 @@ function draw() {
     places.append(...shot.keys.map((key, place) => {
       const button = document.createElement("button");
       Object.assign(button, { type: "button", textContent: `step ${key.step}`, title: `key ${place + 1}: show it` });
-      button.addEventListener("click", () => look(key));
+      button.addEventListener("click", () => look({ ...key, moment: momentOf(key) }));
       return button;
     }));
     if (shot.keys.length === 0) places.textContent = "no view yet";
@@ -95,6 +95,8 @@ function draw() {
     return item;
   }));
 }
+
+const momentOf = (key) => Math.max(0, state.subject.moments.findIndex((one) => one.step === key.step));
 
 function look(key) {
   state.place = { eye: key.eye, target: key.target };
@@ -107,7 +109,7 @@ async function addKey() {
   const response = await post("camera", wish());
   if (!response) return "this moment is not computed yet";
   const { eye, target } = await response.json();
-  shots[current].keys.push({ moment: state.moment, step: state.subject.moments[state.moment].step, eye, target });
+  shots[current].keys.push({ step: state.subject.moments[state.moment].step, eye, target });
   draw();
   return `shot ${current + 1} has ${shots[current].keys.length} views`;
 }
@@ -125,9 +127,9 @@ async function playFilm() {
       const from = shot.keys[Math.floor(place)];
       const to = shot.keys[Math.ceil(place)];
       const between = place - Math.floor(place);
-      const first = shot.keys[0].moment;
+      const first = momentOf(shot.keys[0]);
       look({ eye: mixed(from.eye, to.eye, between), target: mixed(from.target, to.target, between),
-             moment: Math.round(first + share * (shot.keys.at(-1).moment - first)) });
+             moment: Math.round(first + share * (momentOf(shot.keys.at(-1)) - first)) });
       await wait(120);
     }
   }

@@ -72,7 +72,9 @@ async function watch() {
     const progress = await get("progress");
     const was = state.subject.moments;
     const more = progress.moments.length !== was.length || progress.moments.some((one, i) => one.ready !== was[i].ready);
+    const step = was[state.moment].step;
     state.subject.moments = progress.moments;
+    state.moment = Math.max(0, progress.moments.findIndex((one) => one.step === step));
     state.subject.state = progress.state;
     showState(progress);
     if (more) {

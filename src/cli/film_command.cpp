@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -118,7 +119,7 @@ struct Arguments {
 bool names_a_run(const std::string& argument) {
     constexpr std::array<std::string_view, 6> of_grids{".nc",  ".nc4",  ".asc",
                                                        ".tif", ".tiff", ".txt"};
-    return is_run_folder(argument) || argument.find('*') != std::string::npos ||
+    return is_run_folder(argument) || argument.find_first_of("*?") != std::string::npos ||
            std::ranges::find(of_grids, small_ending(argument)) != of_grids.end();
 }
 
@@ -157,6 +158,17 @@ FilmToMake film_by_file(const FilmOptions& options, const Arguments& arguments) 
             FilmRuns(arguments.runs, options.work.threads, showing, options.foreign)};
 }
 
+/// What a film by rule is called where no file is named: as its run's folder or file.
+std::string name_of_run(const std::string& run) {
+    std::error_code fault;
+    const fs::path whole = fs::absolute(run, fault).lexically_normal();
+    const fs::path last = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+    std::string name = fs::is_directory(run, fault) ? last.string() : last.stem().string();
+    std::erase_if(name, [](char letter) { return letter == '*' || letter == '?'; });
+    while (name.ends_with('_') || name.ends_with('-')) name.pop_back();
+    return name.empty() ? "film" : name;
+}
+
 /// Of runs without a film: one that is made by rule, as a film file.
 FilmToMake film_without_file(const FilmOptions& options, const Arguments& arguments) {
     const FilmRule rule{film_style(options.style), options.seconds};
@@ -166,7 +178,7 @@ FilmToMake film_without_file(const FilmOptions& options, const Arguments& argume
     if (options.style != "talk") text.remake += " --style " + options.style;
     if (options.seconds != 0.0) text.remake += fmt::format(" --seconds {}", options.seconds);
     Film film = parse_film(text.text, "film by rule", options.work.settings);
-    fs::path usual = (fs::path(arguments.runs.front()) / "").parent_path().filename();
+    fs::path usual = name_of_run(arguments.runs.front());
     return {std::move(text), std::move(film), std::move(usual), {}, std::move(runs)};
 }
 

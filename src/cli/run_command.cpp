@@ -208,8 +208,6 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
     const Snapshot first = prepared.model->snapshot();
     if (const std::string winds = winds_line(first); !winds.empty()) progress.note(winds);
 
-    if (previous == nullptr) tell_forecast(prepared, options, progress);
-
     PipelineOptions how{options.work.backend, options.work.threads, options.checkpoint_every};
     std::optional<PreviousRun> from;
     if (previous != nullptr) {
@@ -235,6 +233,7 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
             folder.resume(run_parts(scene, how.checkpoint_minutes), previous->checkpoint);
         }
         write_running_manifest(folder, facts, drawing);
+        if (previous == nullptr) tell_forecast(prepared, options, progress);
     };
     const RunOutcome outcome = run_pipeline(*prepared.model, scene, prepared.initial.inputs,
                                             outputs_in(folder, scene), how, progress, started);

@@ -96,12 +96,6 @@ namespace fs = std::filesystem;
 constexpr const char* heights_of_scene =
     "--heights belongs to a PNG terrain; in a scene write bed.heights = [low, high]";
 
-/// A file without an ending is no terrain, and may be the name of a scene that fumon ships.
-bool is_scene(const fs::path& file) {
-    std::error_code fault;
-    return file.extension() == ".toml" || (!file.has_extension() && !fs::exists(file, fault));
-}
-
 Scene scene_of(const StillOptions& options, const StandardInput* given) {
     if (given != nullptr && given->is_scene()) {
         if (!options.heights.empty()) throw InputError(heights_of_scene);
@@ -109,7 +103,7 @@ Scene scene_of(const StillOptions& options, const StandardInput* given) {
     }
     if (given != nullptr)
         return terrain_scene(given->terrain().string(), options.heights, options.work.settings);
-    if (!is_scene(options.input))
+    if (!is_scene_argument(options.input))
         return terrain_scene(terrain_argument(options.input), options.heights,
                              options.work.settings);
     if (!options.heights.empty()) {

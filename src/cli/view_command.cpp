@@ -76,12 +76,6 @@ void declare(CLI::App& command, ViewArguments& arguments) {
                  "with ssh brings\nthe same address to your own machine.");
 }
 
-/// A file without an ending is no terrain, and may be the name of a scene that fumon ships.
-bool is_viewed_scene(const fs::path& file) {
-    std::error_code fault;
-    return file.extension() == ".toml" || (!file.has_extension() && !fs::exists(file, fault));
-}
-
 std::unique_ptr<ViewSubject> subject_of(const ViewArguments& arguments) {
     const WorkOptions& work = arguments.options.work;
     const ExitOnSignal nothing_is_written;
@@ -91,7 +85,7 @@ std::unique_ptr<ViewSubject> subject_of(const ViewArguments& arguments) {
         if (is_unfinished_run(*run)) return followed_subject(*run, work.threads, work.settings);
         return stored_subject(*run, work.threads, work.settings);
     }
-    const bool scenic = is_viewed_scene(arguments.input);
+    const bool scenic = is_scene_argument(arguments.input);
     if (scenic && !arguments.heights.empty())
         throw InputError("--heights belongs to a PNG terrain; in a scene write bed.heights");
     const std::string file =
@@ -139,6 +133,7 @@ int perform(const ViewArguments& arguments) {
                             arguments.port);
     tell(server);
     while (interrupting_signal() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    page.cancel_all();
     return 0;
 }
 

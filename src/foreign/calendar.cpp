@@ -120,12 +120,20 @@ DateTime date_of(std::int64_t seconds, CalendarKind kind) {
     return date;
 }
 
+std::int64_t seconds_to_julian(const DateTime& date) {
+    constexpr std::int64_t first_gregorian = 1582 * 10'000 + 1'015;
+    if (date.year * 10'000 + date.month * 100 + date.day >= first_gregorian) return 0;
+    const std::int64_t year = date.month <= 2 ? date.year - 1 : date.year;
+    return (floor_of(year, 100) - floor_of(year, 400) - 2) * seconds_per_day;
+}
+
 std::optional<DateTime> parse_date(std::string_view text) {
     while (take(text, ' ')) {
     }
     DateTime date;
     const auto year = take_number(text);
-    if (!year || !take(text, '-')) return std::nullopt;
+    constexpr std::int64_t farthest = 1'000'000;
+    if (!year || *year < -farthest || *year > farthest || !take(text, '-')) return std::nullopt;
     const auto month = take_number(text);
     if (!month || *month < 1 || *month > 12 || !take(text, '-')) return std::nullopt;
     const auto day = take_number(text);
@@ -148,7 +156,7 @@ std::optional<DateTime> parse_date(std::string_view text) {
         std::int64_t zone = 0;
         if (text.size() >= 4 && text.find(':') == std::string_view::npos) {  // "+0200"
             const auto both = take_number(text);
-            zone = both ? *both / 100 * 3'600 + *both % 100 * 60 : 0;
+            zone = both && *both < 2'400 ? *both / 100 * 3'600 + *both % 100 * 60 : 0;
         } else {
             zone = take_clock(text).value_or(0);
         }

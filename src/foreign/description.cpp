@@ -74,7 +74,7 @@ std::string field_line(const ForeignField& field, std::size_t records) {
 std::string foreign_description(const ForeignRun& run) {
     std::string text = run.name;
     if (run.files.size() > 1) text += fmt::format(", {} files", run.files.size());
-    text += run.model.empty() ? "\n" : fmt::format(", of {} by its names\n", run.model);
+    text += run.model.empty() ? "\n" : fmt::format(", of {}\n", run.model);
     text += fmt::format("{:<10} {} x {} cells", "grid", run.nx, run.ny);
     if (run.scale.in_metres)
         text += fmt::format(" of {:.6g} x {:.6g} m", run.scale.dx, run.scale.dy);

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cstddef>
+#include <numeric>
 #include <system_error>
 
 #include "base/error.h"
@@ -141,6 +142,23 @@ std::size_t ordering_number(const std::vector<std::vector<double>>& numbers) {
     return count - 1;
 }
 
+/// Refuses names in which a number before the one that orders them falls, as those of dates do.
+void check_one_order(const std::vector<fs::path>& files,
+                     const std::vector<std::vector<double>>& numbers, std::size_t ordering) {
+    std::vector<std::size_t> order(numbers.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return numbers[i][ordering]; });
+    for (std::size_t n = 1; n < order.size(); ++n) {
+        for (std::size_t k = 0; k < ordering; ++k) {
+            if (numbers[order[n]][k] >= numbers[order[n - 1]][k]) continue;
+            throw InputError(
+                fmt::format("{}: several numbers of its name change, and no one of them orders the "
+                            "files; of dates, --time-pattern says how they are written (%Y-%m-%d)",
+                            files[order[n]].string()));
+        }
+    }
+}
+
 }  // namespace
 
 std::optional<std::int64_t> find_date(std::string_view text, std::string_view pattern) {
@@ -195,6 +213,7 @@ std::vector<NumberedFile> in_order(const std::vector<fs::path>& files,
     }
     if (time_pattern.empty()) {
         const std::size_t k = ordering_number(numbers);
+        check_one_order(files, numbers, k);
         for (std::size_t i = 0; i < series.size(); ++i) series[i].number = numbers[i][k];
     }
     std::ranges::stable_sort(series, {}, &NumberedFile::number);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/snapshots/ground_range.h"
 
 namespace fumon {
 
@@ -63,6 +64,12 @@ Grid bed_values(const ForeignRun& run, std::size_t record) {
     return bed;
 }
 
+/// Refuses fill values that the file does not name as such.
+void check_range(const ForeignRun& run, const Snapshot& snapshot, std::size_t record) {
+    if (const std::string fault = beyond_ground(snapshot); !fault.empty())
+        throw InputError(fmt::format("{}: record {}: {}", run.name, record + 1, fault));
+}
+
 }  // namespace
 
 const ForeignField* ForeignRun::find(Quantity quantity) const {
@@ -95,6 +102,7 @@ Snapshot foreign_bed(const ForeignRun& run, std::size_t record) {
     if (missing == snapshot.bed.size())
         throw InputError(fmt::format("{}: record {} has no bed in any cell; is it cut short?",
                                      run.name, record + 1));
+    check_range(run, snapshot, record);
     return snapshot;
 }
 
@@ -111,6 +119,7 @@ Snapshot foreign_snapshot(const ForeignRun& run, std::size_t record) {
     snapshot.fields.push_back({"water_depth", "depth of the water", "m", std::move(depth)});
     snapshot.fields.push_back({"velocity_x", "velocity along x", "m/s", std::move(u)});
     snapshot.fields.push_back({"velocity_y", "velocity along y", "m/s", std::move(v)});
+    check_range(run, snapshot, record);
     return snapshot;
 }
 

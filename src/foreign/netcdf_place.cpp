@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -14,6 +15,7 @@
 
 #include "base/elementary_angle.h"
 #include "base/elementary_power.h"
+#include "base/limits.h"
 #include "files/netcdf/netcdf_axis.h"
 #include "files/netcdf/netcdf_cells.h"
 #include "files/terrain/ground_lengths.h"
@@ -51,6 +53,12 @@ std::optional<Grid> plane_of(const NetcdfInput& input, const BedVariable& map,
     if (is_degrees(unit)) return std::nullopt;
     (void)input.values_over(std::vector<int>{map.y, map.x});
     Grid plane = read_plane(input, *found, map.y, map.x);
+    const MissingValues missing = missing_values(input, *found);
+    if (!std::ranges::all_of(plane.values(), [&](double value) {
+            return std::isfinite(value) && !missing.holds(value);
+        }))
+        input.refuse(fmt::format("{} has no value in some cells", input.variable_name(*found)),
+                     "write the coordinates of all cells");
     const double metres = metres_per_unit(unit).value_or(1.0);
     for (double& value : plane.values()) value *= metres;
     return plane;
@@ -167,7 +175,11 @@ bool is_even(const std::vector<double>& positions) {
 }
 
 /// Of columns and rows along x and y that are not evenly spaced; else nothing.
-std::optional<NetcdfPlace> uneven_place(const Grid& x, const Grid& y) {
+std::optional<NetcdfPlace> uneven_place(const NetcdfInput& input, const Grid& x, const Grid& y) {
+    constexpr double farthest = 1e9;  // metres; beyond are fill values, which other checks name
+    const auto is_place = [](double value) { return std::abs(value) <= farthest; };
+    if (!std::ranges::all_of(x.values(), is_place) || !std::ranges::all_of(y.values(), is_place))
+        return std::nullopt;
     const auto columns = positions_along(x, true);
     const auto rows = positions_along(y, false);
     if (!columns || !rows || (is_even(*columns) && is_even(*rows))) return std::nullopt;
@@ -180,6 +192,11 @@ std::optional<NetcdfPlace> uneven_place(const Grid& x, const Grid& y) {
     place.rows = along.places;
     place.nx = across.count;
     place.ny = along.count;
+    if (std::int64_t{place.nx} * place.ny > largest_grid_cells)
+        input.refuse(fmt::format("its {} x {} unevenly spaced points need {} x {} even cells, more "
+                                 "than {}",
+                                 x.nx(), x.ny(), place.nx, place.ny, largest_grid_cells),
+                     "interpolate it to fewer cells first");
     const double dx = across.size > 0.0 ? across.size : along.size;
     const double dy = along.size > 0.0 ? along.size : across.size;
     place.scale = {dx, dy, 1.0, true};
@@ -242,6 +259,7 @@ std::optional<Grid> plane_of_axis(const NetcdfInput& input, const BedVariable& m
     if (!metres) return std::nullopt;
     std::vector<double> values(input.dimension_length(dimension));
     check_netcdf(nc_get_var_double(input.id(), *variable, values.data()));
+    (void)input.values_over(std::vector<int>{map.y, map.x});
     Grid plane(static_cast<int>(input.dimension_length(map.x)),
                static_cast<int>(input.dimension_length(map.y)));
     for (int j = 0; j < plane.ny(); ++j) {
@@ -254,7 +272,7 @@ std::optional<Grid> plane_of_axis(const NetcdfInput& input, const BedVariable& m
 /// By coordinates of two dimensions in lengths.
 NetcdfPlace place_by_planes(const NetcdfInput& input, const BedVariable& map, const Grid& x,
                             const Grid& y) {
-    if (auto uneven = uneven_place(x, y)) return *std::move(uneven);
+    if (auto uneven = uneven_place(input, x, y)) return *std::move(uneven);
     const Vector a = step_along(x, y, true);
     const Vector b = step_along(x, y, false);
     check_straight(input, map, x, y, a, b);
@@ -311,7 +329,7 @@ NetcdfPlace place_of_maps(const NetcdfInput& input, const BedVariable& map) {
     const auto columns = plane_of_axis(input, map, true);
     const auto rows = columns ? plane_of_axis(input, map, false) : std::nullopt;
     if (rows) {
-        if (auto uneven = uneven_place(*columns, *rows)) return *std::move(uneven);
+        if (auto uneven = uneven_place(input, *columns, *rows)) return *std::move(uneven);
     }
     NetcdfPlace place;
     place.nx = static_cast<int>(input.dimension_length(map.x));
@@ -349,7 +367,13 @@ Grid read_map(const NetcdfInput& input, BedVariable map, const NetcdfPlace& plac
     for (int y = 0; place.rows_fall && y < values.ny() / 2; ++y)
         std::ranges::swap_ranges(values.row(y), values.row(values.ny() - 1 - y));
     for (int y = 0; place.columns_fall && y < values.ny(); ++y) std::ranges::reverse(values.row(y));
-    return place.columns.empty() ? values : on_even_cells(values, place);
+    if (place.columns.empty()) return values;
+    if (std::cmp_not_equal(values.nx(), place.columns.size()) ||
+        std::cmp_not_equal(values.ny(), place.rows.size()))
+        input.refuse(fmt::format("{} has {} x {} points, those of the first file {} x {}", map.name,
+                                 values.nx(), values.ny(), place.columns.size(), place.rows.size()),
+                     "all files of a run need the same grid");
+    return on_even_cells(values, place);
 }
 
 }  // namespace fumon

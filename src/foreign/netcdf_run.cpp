@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -189,9 +190,14 @@ RawTimes all_times(const std::vector<fs::path>& files, RunRecords& records) {
 /// The steps of fumon's own records.
 void take_own_steps(const NetcdfInput& input, ForeignTimes& times) {
     const auto variable = input.find_variable("step");
-    if (!variable || !input.find_variable("bed_height")) return;
+    const int records = dimension_of_records(input);
+    if (!variable || !input.find_variable("bed_height") || records < 0 ||
+        !input.is_numeric(*variable) || input.dimensions(*variable) != std::vector<int>{records} ||
+        input.dimension_length(records) != times.steps.size())
+        return;
     std::vector<long long> steps(times.steps.size());
     check_netcdf(nc_get_var_longlong(input.id(), *variable, steps.data()));
+    if (std::ranges::adjacent_find(steps, std::greater_equal<>()) != steps.end()) return;
     times.steps.assign(steps.begin(), steps.end());
 }
 

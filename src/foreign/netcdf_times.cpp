@@ -63,7 +63,10 @@ std::optional<int> time_variable(const NetcdfInput& input, int dimension) {
 RawTimes netcdf_times(const NetcdfInput& input, int dimension, const std::string& wanted) {
     RawTimes times;
     std::optional<int> variable = time_variable(input, dimension);
-    if (!wanted.empty()) variable = input.find_variable(wanted);
+    const auto named = wanted.empty() ? std::nullopt : input.find_variable(wanted);
+    if (named && input.is_numeric(*named) &&
+        input.dimensions(*named) == std::vector<int>{dimension})
+        variable = named;
     if (!variable) {
         times.counted = true;
         times.note = fmt::format("{} has no variable of times: its records are counted",
@@ -83,8 +86,11 @@ RawTimes netcdf_times(const NetcdfInput& input, int dimension, const std::string
             input.refuse(fmt::format("the calendar of {} is \"{}\"", name, calendar),
                          "it takes standard, noleap or 360_day");
         times.calendar = *kind;
-        if (const auto date = parse_date(unit.substr(at + since.size())))
+        if (const auto date = parse_date(unit.substr(at + since.size()))) {
             times.origin = seconds_of(*date, *kind);
+            if (*kind == CalendarKind::gregorian && calendar != "proleptic_gregorian")
+                *times.origin += seconds_to_julian(*date);
+        }
         unit.resize(at);
     }
     const auto seconds = unit_conversion(unit, "s");

@@ -29,8 +29,8 @@ const QuantityFacts& facts_of(Quantity quantity);
 /// The quantity of a key; nothing where it is none.
 std::optional<Quantity> quantity_of_key(std::string_view key);
 
-/// The quantity that a CF standard name means (CF Standard Name Table, version 85); nothing for
-/// others.
+/// The quantity that a CF standard name means, or a name in their style that files have
+/// ("water_depth", "water_surface_altitude", "sea_surface_elevation"); nothing for others.
 std::optional<Quantity> quantity_of_standard_name(std::string_view name);
 
 /// "bed, depth, level, u, v, qx, qy and concentration".

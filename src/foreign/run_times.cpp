@@ -35,7 +35,7 @@ void check_rising(const std::vector<double>& values, const std::string& name) {
                 fmt::format("{}: record {} has no time; write one for every record", name, i + 1));
         if (i == 0 || values[i] > values[i - 1]) continue;
         throw InputError(fmt::format(
-            "{}: the time of record {}, {:g}, does not come after that of record {}, {:g}; put "
+            "{}: the time of record {}, {}, does not come after that of record {}, {}; put "
             "the records into the order of their times",
             name, i + 1, values[i], i, values[i - 1]));
     }
@@ -66,14 +66,23 @@ ForeignTimes run_times(const RawTimes& raw, const std::string& name) {
         times.steps.push_back(static_cast<std::int64_t>(i));
     times.times = raw.values;
     if (raw.counted || raw.values.empty()) return times;
+    constexpr double longest = 1e15;  // seconds, 30 million years
     const double first = raw.values.front();
+    if (std::max(std::abs(first), std::abs(raw.values.back())) > longest)
+        throw InputError(
+            fmt::format("{}: its times are {} s to {} s, which is not a time of a run; "
+                        "look at their unit",
+                        name, first, raw.values.back()));
     times.unit = unit_of_span(
         std::max(raw.values.back() - first, raw.origin ? 0.0 : std::abs(raw.values.back())));
     const double per_unit = unit_conversion(times.unit == "yr" ? "year" : times.unit, "s")->factor;
     for (double& time : times.times) {
         time = (raw.origin ? time - first : time) / per_unit;
         const double tidy = std::round(time * 1e6) / 1e6;  // seconds of single precision
-        if (std::abs(tidy - time) < 1e-9 * std::max(1.0, std::abs(time))) time = tidy;
+        constexpr double least = 0.1;                      // seconds, that move no date
+        if (std::abs(tidy - time) <
+            std::min(1e-9 * std::max(1.0, std::abs(time)), least / per_unit))
+            time = tidy;
     }
     if (!raw.origin) return times;
     const DateText fineness = fineness_of(raw.values, *raw.origin);

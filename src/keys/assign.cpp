@@ -219,7 +219,7 @@ std::string accepted_values(const Key& key) {
                 target.smallest == target.largest
                     ? fmt::format("{}", target.largest)
                     : fmt::format("{} to {}", target.smallest, target.largest);
-            const std::string list =
+            std::string list =
                 number_text(fmt::format("a list of {} numbers", count).c_str(), key.notes);
             if (target.words.empty()) return list;
             return fmt::format("{} or {}", fmt::join(quoted(target.words), ", "), list);

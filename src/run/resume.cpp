@@ -63,16 +63,23 @@ std::string lengthen(Scene& then, Scene& now, const std::string& file) {
     const auto refuse = [&](const std::string& why) {
         throw InputError(fmt::format("{}: cannot be continued: {}", file, why));
     };
-    const std::int64_t former = then.run.steps;
-    if (now.run.steps < former) {
-        refuse(fmt::format("its {} steps are done, and run.steps = {} is fewer", former,
+    const std::int64_t previous = then.run.steps;
+    if (now.run.steps < previous) {
+        refuse(fmt::format("its {} steps are done, and run.steps = {} is fewer", previous,
                            now.run.steps));
     }
-    if (now.run.steps == former) return "";
+    if (now.run.steps == previous) return "";
     if (then.frames.logarithmic > 0) {
         refuse(
             "frames.logarithmic spreads its frames up to its last step; run the scene from its "
             "start with --force");
+    }
+    const auto& view = then.view;
+    if ((then.output.frames || then.output.movie) &&
+        (view.camera.turn != 0.0 || view.sun.hours != 0.0 || view.air.cloud_drift != 0.0)) {
+        refuse(
+            "camera.turn, sun.hours and air.cloud_drift spread over the whole run, and its frames "
+            "are drawn; run the scene from its start with --force");
     }
     if (then.output.movie && !then.output.frames && frame_schedule(then).count() > 0) {
         refuse(
@@ -82,7 +89,7 @@ std::string lengthen(Scene& then, Scene& now, const std::string& file) {
     then.run.steps = now.run.steps;
     FrameSettings& frames = then.frames;
     if (frames.every > 0 || !frames.at.empty()) return "";
-    frames.every = std::max<std::int64_t>(1, former / 100);
+    frames.every = std::max<std::int64_t>(1, previous / 100);
     if (now.frames.every == 0) now.frames.every = frames.every;
     return fmt::format("frames and measurements go on every {} steps (frames.every)", frames.every);
 }

@@ -254,11 +254,9 @@ std::string describe_summary() {
     for (const ModelEntry& entry : models())
         text += fmt::format("  {:<10}  {}\n", entry.name, entry.help);
     return text +
-           "\n  fumon describe camera             the keys of a section, with type, unit, range "
-           "and "
-           "default\n"
+           "\n  fumon describe camera             the keys of a section, or of a model (sand): "
+           "type, unit\n"
            "  fumon describe camera.azimuth     one key\n"
-           "  fumon describe sand               the keys of a model\n"
            "  fumon describe overlay            those of [[overlay]]; layer, figure, film and "
            "scene "
            "likewise\n"

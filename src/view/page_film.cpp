@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "base/error.h"
+#include "files/json_text.h"
 #include "film/film_read.h"
 #include "film/script/film_looks.h"
 #include "keys/override.h"
@@ -63,9 +65,11 @@ std::string film_file_of(const Json& asked, ViewSubject& subject, const LookChan
             if (keys.size() > most)
                 throw InputError(fmt::format("a shot has at most {} places", most));
             const auto step_of = [&](const Json& key) {
-                const auto moment = key.at("moment").get<std::size_t>();
-                if (moment >= moments.size()) throw InputError("a shot at no moment of the run");
-                return moments[moment].step;
+                // Its step, for the moments of a run that goes on are numbered anew.
+                const std::int64_t step = whole_number(key.at("step"));
+                if (std::ranges::find(moments, step, &ShownMoment::step) == moments.end())
+                    throw InputError(fmt::format("the run has no bed of step {} for a shot", step));
+                return step;
             };
             text += fmt::format("\n[[shot]]\nseconds = {}\nfrom = {}\nto = {}\nmove = \"{}\"\n",
                                 shot.at("seconds").get<double>(), step_of(keys.front()),

@@ -137,7 +137,7 @@ HttpAnswer ViewPage::measurements_answer() const {
 }
 
 HttpAnswer ViewPage::picture_answer(const HttpRequest& request) {
-    ViewPicture picture = pictures_.draw(wish_in(body_json(request)));
+    DrawnPicture picture = pictures_.draw(wish_in(body_json(request)));
     switch (picture.outcome) {
         case WishOutcome::superseded:
             return plain(conflict, "a newer picture is wanted");
@@ -190,7 +190,7 @@ HttpAnswer ViewPage::still_answer(const HttpRequest& request) {
     wish.client += " saves";
     wish.draft = false;
     wish.ending = small_ending(name);
-    ViewPicture picture = pictures_.draw(std::move(wish));
+    DrawnPicture picture = pictures_.draw(std::move(wish));
     if (picture.outcome != WishOutcome::drawn)
         return plain(conflict, "the picture is not there yet; try again");
     return saved(options_, subject_, name, picture.type, std::move(picture.bytes));

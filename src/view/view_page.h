@@ -31,6 +31,9 @@ class ViewPage {
 
     HttpAnswer answer(const HttpRequest& request);
 
+    /// Gives up the pictures that wait, so that no answer lasts longer than the one that is drawn.
+    void cancel_all() { pictures_.cancel_all(); }
+
   private:
     [[nodiscard]] HttpAnswer subject_answer() const;
     [[nodiscard]] HttpAnswer progress_answer() const;

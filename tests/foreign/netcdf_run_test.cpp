@@ -170,6 +170,37 @@ TEST_F(ForeignNetcdf, TimesMustRise) {
     EXPECT_EQ(refusal(), path.string() + ": record 2 has no time; write one for every record");
 }
 
+TEST_F(ForeignNetcdf, StepsOfAnotherLengthAreNotThoseOfItsRecords) {
+    {
+        const NetcdfMaker maker(path);
+        const int time = maker.dimension("time", 2);
+        const int y = maker.dimension("y", 3);
+        const int x = maker.dimension("x", 4);
+        const int many = maker.dimension("many", 20'000);
+        const int t = described(maker, "time", {time}, "s");
+        const int bed = described(maker, "bed_height", {time, y, x}, "m");
+        const int step = maker.variable("step", NC_INT, {many});
+        maker.values(t, {2}, {0, 60});
+        maker.values(bed, {2, 3, 4}, numbered(2, 3, 4));
+        maker.values(step, {20'000}, std::vector<double>(20'000, 7.0));
+    }
+    EXPECT_EQ(open().times.steps, (std::vector<std::int64_t>{0, 1}));
+}
+
+TEST_F(ForeignNetcdf, UndeclaredFillValuesAreNamed) {
+    {
+        const NetcdfMaker maker(path);
+        const int time = maker.dimension("time", 2);
+        const int y = maker.dimension("y", 3);
+        const int x = maker.dimension("x", 4);
+        const int bed = described(maker, "zb", {time, y, x}, "m");
+        std::vector<double> heights = numbered(2, 3, 4);
+        heights.back() = 1e20;
+        maker.values(bed, {2, 3, 4}, heights);
+    }
+    EXPECT_NE(refusal().find("record 2: the height of cell"), std::string::npos) << refusal();
+}
+
 TEST_F(ForeignNetcdf, UnitsMustFit) {
     write_aeolis(path, {0, 86400}, "kg");
     EXPECT_EQ(refusal(), path.string() +

@@ -8,6 +8,7 @@
 #include "foreign/calendar.h"
 #include "foreign/file_numbers.h"
 #include "foreign/open_run.h"
+#include "foreign/run_times.h"
 #include "support/temporary_folder.h"
 
 namespace fumon::test {
@@ -20,7 +21,7 @@ std::string grid(double height) {
         height, height + 1, height + 2);
 }
 
-/// CAESAR-Lisflood's names of files (its manual, "Outputs"): elev_720.asc, waterdepth720.txt.
+/// Names of files as CAESAR-Lisflood has them, with minutes: elev_720.asc, waterdepth720.txt.
 class RasterSeries : public ::testing::Test {
   protected:
     TemporaryFolder folder;
@@ -86,6 +87,15 @@ TEST_F(RasterSeries, DatesInNamesAreTimes) {
               std::string::npos);
 }
 
+TEST_F(RasterSeries, DatesWithoutAPatternAreNotOrderedByTheirDays) {
+    folder.file("survey-2018-12-31.asc", grid(1));
+    folder.file("survey-2019-03-01.asc", grid(2));
+    EXPECT_NE(message_of<InputError>([&] {
+                  (void)open_foreign_run(at("survey-*.asc"));
+              }).find("no one of them orders the files; of dates, --time-pattern"),
+              std::string::npos);
+}
+
 TEST_F(RasterSeries, MatricesWithoutAHeaderHaveTheirFirstRowInTheNorth) {
     folder.file("h.100.dat", "1 2 3\n4 5 6\n");
     folder.file("h.200.dat", "7 8 9\n10 11 12\n");
@@ -126,6 +136,24 @@ TEST(Calendar, DatesGoBothWays) {
               "1970-02-30");
     EXPECT_EQ(find_date("run_20190831_1400.tif", "%Y%m%d_%H%M"), 1'567'260'000);
     EXPECT_FALSE(find_date("run_2019.tif", "%Y%m%d"));
+}
+
+TEST(Calendar, DatesOfLongRunsAreExact) {
+    RawTimes raw;
+    raw.values = {0.0, 12'729 * 86'400.0};
+    raw.origin = seconds_of(*parse_date("1900-01-01"), CalendarKind::gregorian);
+    const ForeignTimes times = run_times(raw, "run");
+    EXPECT_EQ(times.date(times.times[1]), "1934-11-08");
+}
+
+TEST(Calendar, StandardDatesBefore1582AreJulian) {
+    const DateTime first = *parse_date("1-1-1 00:00:00");
+    const std::int64_t origin =
+        seconds_of(first, CalendarKind::gregorian) + seconds_to_julian(first);
+    EXPECT_EQ(date_text(date_of(origin + 17'522'904 * std::int64_t{3'600}, CalendarKind::gregorian),
+                        DateText::days),
+              "2000-01-01");
+    EXPECT_EQ(seconds_to_julian(*parse_date("1582-10-15")), 0);
 }
 
 }  // namespace

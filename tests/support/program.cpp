@@ -64,6 +64,10 @@ void Program::send(int signal) const {
     kill(process_, signal);
 }
 
+std::string Program::output() const {
+    return read_text(output_);
+}
+
 Ended Program::wait() {
     int status = 0;
     waitpid(process_, &status, 0);

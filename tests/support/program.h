@@ -30,6 +30,8 @@ class Program {
     Program& operator=(const Program&) = delete;
 
     void send(int signal) const;
+    /// Its standard output so far.
+    [[nodiscard]] std::string output() const;
     [[nodiscard]] int process() const { return process_; }
     Ended wait();
 

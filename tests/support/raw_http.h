@@ -19,6 +19,8 @@ class RawConnection {
         address.sin_port = htons(static_cast<std::uint16_t>(port));
         address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
         void* const place = &address;
+        const timeval patience{1, 0};  // for a server that closed and takes nothing more
+        setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
         open_ = ::connect(socket_, static_cast<sockaddr*>(place), sizeof address) == 0;
     }
     ~RawConnection() { close(); }

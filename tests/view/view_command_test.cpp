@@ -20,15 +20,13 @@ using test::write_text;
 TEST(ViewCommand, PrintsOneAddressAndEndsBySignal) {
     const ScratchFolder folder;
     write_text(folder / "viewed.toml", viewed_scene);
-    // A program's own port is not known before it runs: one that was free just now.
-    int port = 0;
-    {
-        const HttpServer free([](const HttpRequest&) { return HttpAnswer{}; }, 0);
-        port = free.port();
-    }
-    test::Program program({"view", "viewed.toml", "--port", std::to_string(port)}, folder.path());
-    for (int i = 0; i < 600 && !RawConnection(port).open(); ++i)
+    test::Program program({"view", "viewed.toml"}, folder.path());
+    for (int i = 0; i < 600 && !contains(program.output(), "ssh -L"); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    const std::string begin = "http://127.0.0.1:";
+    const std::string said = program.output();
+    ASSERT_TRUE(said.starts_with(begin)) << said;
+    const int port = std::stoi(said.substr(begin.size()));
     EXPECT_EQ(status_of(ask(port, "GET", "/")), "403");
     program.send(SIGINT);
     const test::Ended ended = program.wait();

@@ -2,12 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
+#include <functional>
+#include <latch>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <semaphore>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "base/error.h"
 #include "film/film_read.h"
@@ -28,6 +34,38 @@ using test::write_text;
 json read(const HttpAnswer& answer) {
     return json::parse(answer.body);
 }
+
+/// A scene whose moment 1 is there once it is let in; asked for once.
+class GatedSubject : public ViewSubject {
+  public:
+    [[nodiscard]] std::string name() const override { return inner_->name(); }
+    [[nodiscard]] const Scene& scene() const override { return inner_->scene(); }
+    [[nodiscard]] const std::vector<InputFile>& inputs() const override { return inner_->inputs(); }
+    [[nodiscard]] const Snapshot& first() const override { return inner_->first(); }
+    [[nodiscard]] std::vector<ShownMoment> moments() override { return inner_->moments(); }
+    [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::size_t number) override {
+        if (number == 1) {
+            asked.count_down();
+            open.wait();
+        }
+        return inner_->snapshot(0);
+    }
+    [[nodiscard]] MeasuredRows rows(const std::vector<std::string>& columns,
+                                    std::size_t /*number*/) override {
+        return inner_->rows(columns, 0);
+    }
+    [[nodiscard]] std::vector<ViewColumn> measurements() override { return inner_->measurements(); }
+    [[nodiscard]] ViewWork work() override { return inner_->work(); }
+    [[nodiscard]] std::vector<std::filesystem::path> files() const override {
+        return inner_->files();
+    }
+
+    std::latch asked{1};
+    std::latch open{1};
+
+  private:
+    std::unique_ptr<ViewSubject> inner_ = viewed_subject();
+};
 
 /// Asks until it is computed.
 HttpAnswer drawn(ViewPage& page, const json& wish) {
@@ -110,35 +148,48 @@ TEST(ViewPage, DraftsAreSmallAndFollowTheCamera) {
     EXPECT_TRUE(first.body == again.body);
 }
 
-TEST(ViewPage, TheNewestWishOfAClientWins) {
-    const auto subject = viewed_subject();
-    ViewPage page(*subject, {});
-    int first = 0;
-    std::thread busy([&] {
-        post(page, "picture", {{"client", "a"}, {"width", 1600}, {"height", 1000}});
-    });
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    std::thread old([&] { first = post(page, "picture", {{"client", "b"}}).status; });
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    EXPECT_EQ(post(page, "picture", {{"client", "b"}}).status, 200);
-    old.join();
-    busy.join();
-    EXPECT_EQ(first, 409);
+TEST(ViewPage, OneWishOfAClientIsDrawn) {
+    GatedSubject subject;
+    ViewPage page(subject, {});
+    std::thread busy([&] { post(page, "picture", {{"client", "a"}, {"moment", 1}}); });
+    subject.asked.wait();
+    std::array<int, 2> statuses{};
+    std::counting_semaphore<2> answered(0);
+    const auto wish = [&](int& status) {
+        status = post(page, "picture", {{"client", "b"}}).status;
+        answered.release();
+    };
+    std::thread one(wish, std::ref(statuses[0]));
+    std::thread other(wish, std::ref(statuses[1]));
+    EXPECT_TRUE(answered.try_acquire_for(std::chrono::seconds(30)));  // the older one, undrawn
+    subject.open.count_down();
+    for (std::thread* thread : {&busy, &one, &other}) thread->join();
+    std::ranges::sort(statuses);
+    EXPECT_EQ(statuses, (std::array{200, 409}));
 }
 
 TEST(ViewPage, ADraftWaitsForNoPicture) {
-    const auto subject = viewed_subject();
-    ViewPage page(*subject, {});
+    GatedSubject subject;
+    ViewPage page(subject, {});
+    std::thread busy([&] { post(page, "picture", {{"client", "a"}, {"moment", 1}}); });
+    subject.asked.wait();
     const json small = {{"client", "b"}, {"draft", true}, {"width", 48}, {"height", 48}};
     EXPECT_EQ(post(page, "picture", small).status, 200);
-    std::atomic<bool> done{false};
-    std::thread busy([&] {
-        post(page, "picture", {{"client", "a"}, {"width", 3000}, {"height", 2000}});
-        done = true;
-    });
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    EXPECT_EQ(post(page, "picture", small).status, 200);
-    EXPECT_FALSE(done);
+    subject.open.count_down();
+    busy.join();
+}
+
+TEST(ViewPage, GivesUpThePicturesThatWait) {
+    GatedSubject subject;
+    ViewPage page(subject, {});
+    std::thread busy([&] { post(page, "picture", {{"client", "a"}, {"moment", 1}}); });
+    subject.asked.wait();
+    int status = 0;
+    std::thread waits([&] { status = post(page, "picture", {{"client", "b"}}).status; });
+    page.cancel_all();
+    waits.join();  // while the first is being drawn
+    EXPECT_EQ(status, 409);
+    subject.open.count_down();
     busy.join();
 }
 
@@ -252,8 +303,8 @@ TEST(ViewPage, SavesASceneAndAFilmThatCommandsTake) {
     post(page, "scene", {{"name", "scene.toml"}, {"settings", settings}});
     ASSERT_EQ(fumon({"check", "scene.toml"}, folder.path()).status, 0);
     EXPECT_TRUE(contains(read_text(folder / "scene.toml"), "colour_by = \"height\""));
-    const json keys = {{{"moment", 0}, {"eye", {0, -20, 25}}, {"target", {20, 15, 0}}},
-                       {{"moment", 2}, {"eye", {40, -20, 25}}, {"target", {20, 15, 0}}}};
+    const json keys = {{{"step", 0}, {"eye", {0, -20, 25}}, {"target", {20, 15, 0}}},
+                       {{"step", 8}, {"eye", {40, -20, 25}}, {"target", {20, 15, 0}}}};
     const json shots = {{{"seconds", 2}, {"keys", keys}}};
     post(page, "film", {{"name", "film.toml"}, {"settings", settings}, {"shots", shots}});
     const Film film = parse_film(read_text(folder / "film.toml"), "film.toml");

@@ -142,8 +142,9 @@ BedClock::BedClock(const Film& film, std::size_t number, const StoredBeds& beds)
     const double to = clock.of(shot.to, "to");
     places_ = values;
     if (shot.pace == Pace::logarithmic) {
-        // From 1 on, the first steps of a run that starts at 0 included.
-        for (double& place : places_) place = elementary::log(1.0 + place);
+        // From 1 on, the first steps of a run that starts at 0, or before it, included.
+        const double before = std::min(0.0, values.front());
+        for (double& place : places_) place = elementary::log(1.0 + place - before);
     } else if (shot.pace == Pace::change) {
         const double low = std::min(from, to);
         const double high = std::max(from, to);

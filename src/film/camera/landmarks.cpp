@@ -30,7 +30,8 @@ double longer_side(const Snapshot& bed) {
 
 Landmark landmark_of_cell(const Snapshot& bed, std::size_t cell) {
     const auto nx = static_cast<std::size_t>(bed.bed.nx());
-    return {static_cast<double>(cell % nx), static_cast<double>(cell / nx), bed.bed.values()[cell],
+    const std::size_t row = cell / nx;
+    return {static_cast<double>(cell % nx), static_cast<double>(row), bed.bed.values()[cell],
             side_share_of_breadth * longer_side(bed)};
 }
 

@@ -61,6 +61,13 @@ std::string quoted_text(const std::string& text) {
     return quoted + '"';
 }
 
+/// A text without placeholders, as films have it.
+std::string without_placeholders(const std::string& text) {
+    std::string plain;
+    for (const char letter : text) plain.append(letter == '{' || letter == '}' ? 2 : 1, letter);
+    return plain;
+}
+
 /// A [[shot]] as it is written: keys in turn, each with its value.
 struct WrittenShot {
     std::string comment{};
@@ -93,8 +100,8 @@ class RuledFilm {
           style_(facts_of(rule.style)),
           look_(look_at_run(runs.first())),
           run_(std::move(run)),
-          seconds_(rule.seconds > 0.0 ? rule.seconds : style_.seconds) {
-        if (seconds_ < shortest_film_by_rule) {
+          seconds_(rule.seconds != 0.0 ? rule.seconds : style_.seconds) {
+        if (!(seconds_ >= shortest_film_by_rule)) {
             throw InputError(fmt::format("--seconds {}: a film by rule takes {} s at least",
                                          seconds_, shortest_film_by_rule));
         }
@@ -311,7 +318,7 @@ class RuledFilm {
         follows.set("follow", "true");
         if (look_.largest == "largest dune" && from != "\"end\"" && ground_of(follows))
             return composed(follows, low);
-        const WrittenShot at_end = composed(shot_from("\"end\""), low);
+        WrittenShot at_end = composed(shot_from("\"end\""), low);
         if (ground_of(at_end).value_or(0.0) >= enough_ground) return at_end;
         WrittenShot whole = shot_from("\"end\"");  // it takes most of its block
         whole.comment = "from near";
@@ -337,7 +344,8 @@ class RuledFilm {
         std::string text = fmt::format(
             "[[card]]                  # over the first shot\nplace = "
             "\"start\"\ntitle = {}\nseconds = {}\n",
-            quoted_text(look_.title), written(std::min(3.5, 0.22 * seconds_), 2));
+            quoted_text(without_placeholders(look_.title)),
+            written(std::min(3.5, 0.22 * seconds_), 2));
         text += "lines = []\n\n";
         return text;
     }
@@ -376,6 +384,7 @@ class RuledFilm {
 FilmStyle film_style(const std::string& name) {
     if (const StyleFacts* found = find_named(styles, name)) return found->style;
     std::vector<std::string> known;
+    known.reserve(styles.size());
     for (const StyleFacts& one : styles) known.emplace_back(one.name);
     throw InputError(
         fmt::format("--style: unknown style \"{}\"; {}", name, suggestion(name, known)));

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/elementary.h"
+#include "base/elementary_power.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "files/netcdf/netcdf_layout.h"
@@ -27,7 +29,7 @@ double power_of(const std::vector<double>& after) {
     if (half == 0) return 1.0;
     const double grown = after.back() / after[half - 1];
     const double more = static_cast<double>(after.size()) / static_cast<double>(half);
-    const double power = std::log(grown) / std::log(more);
+    const double power = elementary::log(grown) / elementary::log(more);
     return power > steady_power ? std::min(power, largest_power) : 1.0;
 }
 
@@ -45,7 +47,7 @@ double forecast_seconds(const std::vector<double>& after, std::int64_t steps) {
     const auto tried = static_cast<double>(after.size());
     const auto all = static_cast<double>(steps);
     const double power = power_of(after);
-    if (power > 1.0) return after.back() * std::pow(all / tried, power);
+    if (power > 1.0) return after.back() * elementary::pow(all / tried, power);
     const std::size_t half = after.size() / 2;  // the first steps fetch memory
     if (half == 0) return after.back() * all;
     const double a_step = (after.back() - after[half - 1]) / (tried - static_cast<double>(half));

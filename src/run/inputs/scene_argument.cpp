@@ -69,6 +69,11 @@ std::string scene_argument(const std::string& given) {
                           given, nearest));
 }
 
+bool is_scene_argument(const fs::path& given) {
+    std::error_code fault;
+    return given.extension() == ".toml" || (!given.has_extension() && !fs::exists(given, fault));
+}
+
 std::string terrain_argument(const std::string& given) {
     std::error_code fault;
     if (!is_bare_name(given) || fs::exists(given, fault)) return given;

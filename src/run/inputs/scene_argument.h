@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace fumon {
@@ -11,7 +12,12 @@ namespace fumon {
 /// shipped scene.
 std::string scene_argument(const std::string& given);
 
-/// The same of a terrain file, with its ending: "west_bijou_gully.asc" is found from any folder.
+/// Whether a command was given a scene rather than terrain. A file without an ending is no terrain,
+/// and may be the name of a scene that fumon ships.
+bool is_scene_argument(const std::filesystem::path& given);
+
+/// As scene_argument() of a terrain file, with its ending: "west_bijou_gully.asc" is found from any
+/// folder.
 std::string terrain_argument(const std::string& given);
 
 }  // namespace fumon

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "base/elementary.h"
+#include "base/elementary_angle.h"
+#include "base/elementary_power.h"
 #include "base/units.h"
 #include "render/view/block.h"
 #include "render/view/framing.h"
@@ -43,7 +46,7 @@ std::array<double, 3> outside(const Block& block, const glm::dvec3& point) {
 
 /// To a ten-thousandth of a block.
 double rounded(double value, double side) {
-    const double unit = std::pow(10.0, std::floor(std::log10(side)) - 4.0);
+    const double unit = elementary::pow(10.0, std::floor(elementary::log10(side)) - 4.0);
     return std::round(value / unit) * unit;
 }
 
@@ -66,12 +69,15 @@ CameraFacts camera_facts(const Scene& scene, const Snapshot& first, const Snapsh
     if (block.eye && !block.look_at) ahead = 0.5;
     facts.place.eye = outside(block, camera.eye);
     facts.place.target = outside(block, camera.eye + ahead * camera.forward);
-    facts.azimuth = std::atan2(-camera.forward.x, -camera.forward.y) / degree;
-    facts.elevation = std::asin(std::clamp(-camera.forward.z, -1.0, 1.0)) / degree;
+    facts.azimuth = elementary::atan2(-camera.forward.x, -camera.forward.y) / degree;
+    facts.elevation = elementary::atan2(-camera.forward.z,
+                                        elementary::hypot(camera.forward.x, camera.forward.y)) /
+                      degree;
     const glm::dvec3 centre(0.0, 0.0, 0.5 * (block.base + block.top));
-    facts.distance = camera.perspective
-                         ? glm::length(camera.eye - centre)
-                         : camera.half.y / std::tan(0.5 * scene.view.camera.field_of_view * degree);
+    const double half_angle = 0.5 * scene.view.camera.field_of_view * degree;
+    facts.distance = camera.perspective ? glm::length(camera.eye - centre)
+                                        : camera.half.y * elementary::cos(half_angle) /
+                                              elementary::sin(half_angle);
     facts.side = block.side;
     facts.tangent = camera.half.y;
     return facts;

@@ -19,7 +19,7 @@ namespace fumon {
 
 namespace {
 
-constexpr std::size_t most_waiting = 64;
+constexpr std::size_t most_waiting = 32;  // fewer than the threads of the server
 constexpr int draft_quality = 82;
 
 std::string text_of(const std::vector<std::uint8_t>& bytes) {
@@ -56,37 +56,41 @@ PictureThread::PictureThread(ViewSubject& subject, const LookChanges& changes,
       pictures_([this] { this->work(false); }) {}
 
 PictureThread::~PictureThread() {
-    {
-        const std::lock_guard lock(mutex_);
-        ended_ = true;
-        ViewPicture given_up;
-        given_up.outcome = WishOutcome::superseded;
-        for (Waiting& left : waiting_) left.promise.set_value(given_up);
-        waiting_.clear();
-    }
-    wake_.notify_all();
+    cancel_all();
     drafts_.join();
     pictures_.join();
 }
 
-ViewPicture PictureThread::draw(PictureWish wish) {
-    std::future<ViewPicture> made;
+void PictureThread::cancel_all() {
     {
         const std::lock_guard lock(mutex_);
-        ViewPicture given_up;
-        given_up.outcome = WishOutcome::superseded;
+        ended_ = true;
+        DrawnPicture cancelled;
+        cancelled.outcome = WishOutcome::superseded;
+        for (Waiting& left : waiting_) left.promise.set_value(cancelled);
+        waiting_.clear();
+    }
+    wake_.notify_all();
+}
+
+DrawnPicture PictureThread::draw(PictureWish wish) {
+    std::future<DrawnPicture> made;
+    {
+        const std::lock_guard lock(mutex_);
+        DrawnPicture cancelled;
+        cancelled.outcome = WishOutcome::superseded;
         for (auto old = waiting_.begin(); old != waiting_.end();) {
             if (old->wish.client == wish.client) {
-                old->promise.set_value(given_up);
+                old->promise.set_value(cancelled);
                 old = waiting_.erase(old);
             } else {
                 ++old;
             }
         }
-        if (ended_) return given_up;
+        if (ended_) return cancelled;
         if (waiting_.size() >= most_waiting) {
-            given_up.outcome = WishOutcome::too_many;
-            return given_up;
+            cancelled.outcome = WishOutcome::too_many;
+            return cancelled;
         }
         waiting_.push_back({std::move(wish), {}});
         made = waiting_.back().promise.get_future();
@@ -112,9 +116,9 @@ PictureThread::Settled PictureThread::settled(const PictureWish& wish,
     return settled;
 }
 
-ViewPicture PictureThread::drawn(const PictureWish& wish, DraftPainter& drafts, WorkerPool& pool) {
+DrawnPicture PictureThread::drawn(const PictureWish& wish, DraftPainter& drafts, WorkerPool& pool) {
     const Stopwatch watch;
-    ViewPicture picture;
+    DrawnPicture picture;
     const std::shared_ptr<const Snapshot> snapshot = subject_.snapshot(wish.moment);
     if (!snapshot) {
         picture.outcome = WishOutcome::computing;

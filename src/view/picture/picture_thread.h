@@ -35,7 +35,7 @@ struct PictureWish {
 
 enum class WishOutcome { drawn, superseded, computing, too_many };
 
-struct ViewPicture {
+struct DrawnPicture {
     WishOutcome outcome = WishOutcome::drawn;
     std::string type{};  ///< of its media: "image/png"
     std::string bytes{};
@@ -57,7 +57,10 @@ class PictureThread {
 
     /// Waits until the wish is drawn or given up. Any thread may call it. Throws InputError where
     /// settings, moment or format are wrong, and what drawing throws.
-    ViewPicture draw(PictureWish wish);
+    DrawnPicture draw(PictureWish wish);
+
+    /// Gives up what waits, and all that is wished from now on; what is being drawn is finished.
+    void cancel_all();
 
     /// The scene of a wish with its place and size, and the settings of the place. Throws
     /// likewise.
@@ -70,11 +73,11 @@ class PictureThread {
   private:
     struct Waiting {
         PictureWish wish;
-        std::promise<ViewPicture> promise;
+        std::promise<DrawnPicture> promise;
     };
 
     void work(bool of_drafts);
-    ViewPicture drawn(const PictureWish& wish, DraftPainter& drafts, WorkerPool& pool);
+    DrawnPicture drawn(const PictureWish& wish, DraftPainter& drafts, WorkerPool& pool);
 
     ViewSubject& subject_;
     const LookChanges& changes_;

@@ -17,7 +17,8 @@ class Connections {
     /// Notes that one has asked for what it may have.
     void admit(int remote_port);
 
-    /// Closes those that have lasted too long; called now and then.
+    /// Closes those that have lasted too long, or sent too much before they were admitted; called
+    /// now and then.
     void close_old();
 
     /// Closes all, so that no thread waits for one.

@@ -25,6 +25,7 @@ namespace fumon {
 namespace {
 
 constexpr const char* loopback = "127.0.0.1";
+constexpr int length_required = 411;
 constexpr int unprocessable = 422;
 constexpr int failed = 500;
 constexpr int most_waiting = 256;
@@ -101,6 +102,13 @@ RequestHead head_of(const httplib::Request& request) {
             request.get_header_value("Origin"), request.get_header_value("Sec-Fetch-Site")};
 }
 
+/// A body without a length, or packed, would pass the limit of the library, which asks for
+/// Content-Length alone.
+bool has_length(const httplib::Request& request) {
+    return !request.has_header("Transfer-Encoding") && !request.has_header("Content-Encoding") &&
+           (request.method != "POST" || request.has_header("Content-Length"));
+}
+
 }  // namespace
 
 struct HttpServer::State {
@@ -123,7 +131,7 @@ struct HttpServer::State {
         }
         answer.status = made.status;
         for (const auto& [name, value] : made.headers) answer.set_header(name, value);
-        answer.set_content(std::move(made.body), made.type);
+        answer.set_content(made.body, made.type);
     }
 
     void watch() {
@@ -165,14 +173,16 @@ HttpServer::HttpServer(HttpHandler handler, int port, const HttpLimits& limits)
     server.set_write_timeout(5);
     server.set_pre_routing_handler(
         [&state](const httplib::Request& request, httplib::Response& answer) {
-            const int refusal = refusal_of(head_of(request), state.token);
+            int refusal = refusal_of(head_of(request), state.token);
+            if (refusal == 0 && !has_length(request)) refusal = length_required;
             if (refusal == 0) {
                 state.connections.admit(request.remote_port);
                 return httplib::Server::HandlerResponse::Unhandled;
             }
             answer.status = refusal;
             answer.set_header("Connection", "close");
-            answer.set_content("refused\n", "text/plain");
+            answer.set_content("refused: open the whole address that `fumon view` printed\n",
+                               "text/plain");
             return httplib::Server::HandlerResponse::Handled;
         });
     const auto answers = [&state](const httplib::Request& request, httplib::Response& answer) {
@@ -188,7 +198,9 @@ HttpServer::HttpServer(HttpHandler handler, int port, const HttpLimits& limits)
     if (state.port <= 0) {
         if (port == 0) throw Error("the system gives no port to listen on");
         throw InputError(fmt::format(
-            "--port {}: is taken, or not for everyone; take another, or leave --port out", port));
+            "--port {}: another program listens there, or the system keeps it (as those below "
+            "1024); choose another, or leave --port out for a free one",
+            port));
     }
     ::listen(listening, most_waiting);  // the library lets five wait, and the next for seconds
     state.connections.listen_on(state.port);

@@ -158,9 +158,12 @@ class ComputedSubject : public ViewSubject {
             }
             lock.lock();
             if (ended_) return;
-            if (fault.empty()) {
-                keep(std::move(reached));
-            } else {
+            try {
+                if (fault.empty()) keep(std::move(reached));
+            } catch (const std::exception& refusal) {
+                fault = refusal.what();
+            }
+            if (!fault.empty()) {
                 fault_ = fault;
                 wanted_ = kept_.size() - 1;
             }

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds between_looks{1000};
+constexpr std::chrono::milliseconds poll_interval{1000};
 
 /// What run.json says now; nothing of it is needed.
 Json manifest_of(const fs::path& folder) {
@@ -125,6 +125,11 @@ class FollowedSubject : public ViewSubject {
         bool fields = false;
     };
 
+    struct PieceMoments {
+        fs::file_time_type written{};
+        std::vector<FieldsMoment> moments{};
+    };
+
     /// Read again when fifty times the time has passed that it took. A file may have got its name
     /// meanwhile.
     const std::vector<ViewColumn>& measured() {
@@ -147,7 +152,7 @@ class FollowedSubject : public ViewSubject {
     }
 
     void look_again() {
-        if (Clock::now() - looked_ > between_looks) look();
+        if (Clock::now() - looked_ > poll_interval) look();
     }
 
     void look() {
@@ -176,12 +181,16 @@ class FollowedSubject : public ViewSubject {
             const bool piece = name.starts_with("fields.nc.") && name.size() > 10 &&
                                name.find_first_not_of("0123456789", 10) == std::string::npos;
             if (!whole && !piece) continue;
+            // A run that is resumed writes these names again.
+            const auto written = entry.last_write_time(fault);
+            PieceMoments& known = moments_[name];
             try {
-                if (!moments_.contains(name)) moments_[name] = read_fields_moments(entry.path());
+                if (known.moments.empty() || known.written != written)
+                    known = {written, read_fields_moments(entry.path())};
             } catch (const Error&) {
                 continue;  // joined meanwhile
             }
-            for (const FieldsMoment& moment : moments_[name])
+            for (const FieldsMoment& moment : known.moments)
                 beds.insert_or_assign(moment.step, Bed{moment.time, entry.path(), true});
         }
     }
@@ -199,8 +208,8 @@ class FollowedSubject : public ViewSubject {
     PreparedRun run_;
     std::shared_ptr<const Snapshot> first_;
     std::mutex mutex_;
-    std::map<std::int64_t, Bed> beds_;  ///< by their steps
-    std::map<std::string, std::vector<FieldsMoment>> moments_;
+    std::map<std::int64_t, Bed> beds_;             ///< by their steps
+    std::map<std::string, PieceMoments> moments_;  ///< by the names of their files
     std::shared_ptr<const Snapshot> kept_;
     std::string state_;
     Clock::time_point looked_{};

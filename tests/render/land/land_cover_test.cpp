@@ -10,7 +10,8 @@ namespace {
 
 constexpr int land_side = 60;
 
-/// A tent of 10 m land_side whose ridge runs from west to east, with a valley down its northern side.
+/// A tent of cells of 10 m. Its ridge runs from west to east; a valley leads down its northern
+/// side.
 Snapshot tent(double slope) {
     Snapshot bed;
     bed.landform = Landform::terrain;
