@@ -51,7 +51,6 @@ bool is_file_wish(const std::string& source) {
 
 void add_field_of_file(ForeignRun& run, Quantity quantity, const std::string& source,
                        const ForeignQuery& query) {
-    const bool heights = facts_of(quantity).unit == "m" && quantity != Quantity::depth;
     const double cell_size = run.scale.in_metres ? run.scale.dx : query.cell_size;
     std::vector<fs::path> files;
     std::string variable;
@@ -78,7 +77,7 @@ void add_field_of_file(ForeignRun& run, Quantity quantity, const std::string& so
         files.emplace_back(file);
         variable = named;
     }
-    const RasterFile first = read_raster_file(files.front(), variable, heights, cell_size);
+    const RasterFile first = read_raster_file(files.front(), variable, quantity, cell_size);
     if (first.values.nx() != run.nx || first.values.ny() != run.ny)
         throw InputError(
             fmt::format("{}: has {} x {} cells, but {} has {} x {}; all fields of a "
@@ -87,8 +86,8 @@ void add_field_of_file(ForeignRun& run, Quantity quantity, const std::string& so
                         run.nx, run.ny));
     ForeignField field{quantity, source, "", "", "--field", files.size() > 1, {}};
     if (files.size() > 1) {
-        field.read = [files, heights, cell_size](std::size_t record) {
-            return read_raster_file(files.at(record), "", heights, cell_size).values;
+        field.read = [files, quantity, cell_size](std::size_t record) {
+            return read_raster_file(files.at(record), "", quantity, cell_size).values;
         };
     } else {
         field.read = [kept = std::make_shared<const Grid>(first.values)](std::size_t) {

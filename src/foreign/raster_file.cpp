@@ -84,7 +84,7 @@ bool is_bare_matrix(const fs::path& file) {
            (start[first] >= '0' && start[first] <= '9');
 }
 
-RasterFile read_raster_file(const fs::path& file, const std::string& variable, bool heights,
+RasterFile read_raster_file(const fs::path& file, const std::string& variable, Quantity quantity,
                             double cell_size) {
     RasterFile raster;
     if (cell_size > 0.0) raster.scale = {cell_size, cell_size, 1.0, true};
@@ -94,7 +94,9 @@ RasterFile read_raster_file(const fs::path& file, const std::string& variable, b
     }
     TerrainQuery query;
     query.variable = variable;
-    query.any_unit = !heights;
+    const std::string_view unit = facts_of(quantity).unit;
+    query.any_unit = unit != "m" || quantity == Quantity::depth;
+    if (query.any_unit) query.wanted_unit = unit;
     Terrain terrain = read_terrain(file, query);
     raster.values = std::move(terrain.heights);
     for (std::size_t i = 0; i < terrain.nodata.size(); ++i)

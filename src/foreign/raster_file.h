@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/grid.h"
+#include "foreign/quantity.h"
 
 namespace fumon {
 
@@ -18,9 +19,9 @@ struct RasterFile {
 };
 
 /// Any terrain file, or a matrix of numbers in text alone, a row a line, the northernmost first.
-/// `heights`: converted to metres, else as they are. `cell_size`: metres, of a file that does not
-/// say its own; 0: unknown. Throws InputError.
+/// Numbers become those of a quantity's unit where the file names theirs. `cell_size`: metres, of a
+/// file that does not say its own; 0: unknown. Throws InputError.
 RasterFile read_raster_file(const std::filesystem::path& file, const std::string& variable,
-                            bool heights, double cell_size);
+                            Quantity quantity, double cell_size);
 
 }  // namespace fumon

@@ -96,8 +96,7 @@ ForeignRun read_raster_series(const std::string& name, const std::vector<fs::pat
     run.times = run_times(times_of(series, query), name);
     run.model = kind.model;
     run.dry = kind.dry;
-    const bool heights = kind.quantity != Quantity::depth;
-    const RasterFile first = read_raster_file(ordered.front(), "", heights, query.cell_size);
+    const RasterFile first = read_raster_file(ordered.front(), "", kind.quantity, query.cell_size);
     run.nx = first.values.nx();
     run.ny = first.values.ny();
     run.scale = first.scale;
@@ -108,8 +107,9 @@ ForeignRun read_raster_series(const std::string& name, const std::vector<fs::pat
     while (!run.title.empty() && std::ispunct(static_cast<unsigned char>(run.title.back())) != 0)
         run.title.pop_back();
     ForeignField field{kind.quantity, name, "", "", kind.reason, ordered.size() > 1, {}};
-    field.read = [ordered, heights, cell_size = query.cell_size](std::size_t record) {
-        return read_raster_file(ordered.at(record), "", heights, cell_size).values;
+    field.read = [ordered, quantity = kind.quantity,
+                  cell_size = query.cell_size](std::size_t record) {
+        return read_raster_file(ordered.at(record), "", quantity, cell_size).values;
     };
     run.fields.push_back(std::move(field));
     run.files = ordered;

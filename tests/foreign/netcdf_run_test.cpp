@@ -161,6 +161,24 @@ TEST_F(ForeignNetcdf, AFieldMayBeNamedOrOfAnotherFile) {
               std::string::npos);
 }
 
+TEST_F(ForeignNetcdf, AFieldOfAnotherFileIsInItsUnit) {
+    write_sfincs(path);
+    const std::filesystem::path other = folder / "depth.nc";
+    const auto write = [&](const char* unit) {
+        const NetcdfMaker maker(other);
+        const int n = maker.dimension("y", 3);
+        const int m = maker.dimension("x", 4);
+        const int depth = described(maker, "h", {n, m}, unit);
+        maker.values(depth, {3, 4}, std::vector<double>(12, 250.0));
+    };
+    write("cm");
+    const ForeignRun run = open({.fields = {"depth=" + other.string() + ":h"}});
+    EXPECT_NEAR(run.find(Quantity::depth)->read(0)(1, 1), 2.5, 1e-12);
+    write("kg");
+    EXPECT_NE(refusal({.fields = {"depth=" + other.string() + ":h"}}).find("\"kg\""),
+              std::string::npos);
+}
+
 TEST_F(ForeignNetcdf, TimesMustRise) {
     write_aeolis(path, {0, 86400, 3600});
     EXPECT_EQ(refusal(), path.string() +
