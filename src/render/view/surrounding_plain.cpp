@@ -94,9 +94,9 @@ Grid smoothed(const Grid& field, const Grid& weight, int radius) {
     const int third = std::max(1, (radius + 1) / 2);
     const double share = 1.0 / ((2.0 * third + 1.0) * (2.0 * third + 1.0));
     for (int pass = 0; pass < 3; ++pass) {
-        for (Grid* field : {&mean, &sum}) {
-            box_sums_of_columns(*field, third);
-            box_sums_of_rows(*field, third);
+        for (Grid* summed : {&mean, &sum}) {
+            box_sums_of_columns(*summed, third);
+            box_sums_of_rows(*summed, third);
         }
         for (double& value : mean.values()) value *= share;
         for (double& value : sum.values()) value *= share;
