@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "files/input_file.h"
 #include "files/csv_table.h"
 #include "film/beds/stored_beds.h"
 
