@@ -148,7 +148,7 @@ TEST_F(RuledRun, LastsAsLongAsItIsAskedTo) {
         EXPECT_NEAR(static_cast<double>(Timeline(ruled({style})).frames()), 30.0 * seconds, 3.0);
         EXPECT_NEAR(static_cast<double>(Timeline(ruled({style, 7.5})).frames()), 225.0, 3.0);
     }
-    EXPECT_THROW(ruled({FilmStyle::talk, 3.9}), InputError);
+    EXPECT_THROW(static_cast<void>(ruled({FilmStyle::talk, 3.9})), InputError);
     EXPECT_EQ(film_size(ruled({FilmStyle::social})).height, 1920);
 }
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "files/input_file.h"
 #include "files/csv_table.h"
+#include "files/input_file.h"
 #include "film/beds/stored_beds.h"
 
 namespace fumon {
