@@ -15,7 +15,7 @@
 #include "measure/bed/bed_statistics.h"
 #include "measure/bed/crest_orientation.h"
 #include "models/dunes/dunes.h"
-#include "models/dunes/saturation_hops.h"
+#include "models/dunes/transport/saturation_hops.h"
 #include "wind/crest_directions.h"
 
 namespace fumon::test {

@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "base/error.h"
-#include "models/dunes/dunes_parameters.h"
-#include "models/dunes/wind_schedule.h"
-#include "models/dunes/wind_strength.h"
+#include "models/dunes/setup/dunes_parameters.h"
+#include "models/dunes/wind/wind_schedule.h"
+#include "models/dunes/wind/wind_strength.h"
 #include "scene/read.h"
 #include "scene/write.h"
 #include "support/temporary_folder.h"

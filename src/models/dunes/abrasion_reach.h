@@ -3,9 +3,9 @@
 #include <array>
 
 #include "base/grid.h"
-#include "models/dunes/dune_bed.h"
-#include "models/dunes/wind_schedule.h"
-#include "models/dunes/wind_shadow.h"
+#include "models/dunes/setup/dune_bed.h"
+#include "models/dunes/wind/wind_schedule.h"
+#include "models/dunes/wind/wind_shadow.h"
 
 namespace fumon {
 

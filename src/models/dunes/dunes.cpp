@@ -11,9 +11,9 @@
 #include "base/state_archive.h"
 #include "base/units.h"
 #include "base/worker_pool.h"
-#include "models/dunes/ground_features.h"
-#include "models/dunes/saturation_hops.h"
-#include "models/dunes/wind_strength.h"
+#include "models/dunes/setup/ground_features.h"
+#include "models/dunes/transport/saturation_hops.h"
+#include "models/dunes/wind/wind_strength.h"
 
 namespace fumon {
 
@@ -315,9 +315,9 @@ void Dunes::find_wind(const BlowingWind& wind) const {
     wind_found_at_ = steps_;
 }
 
-ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
+WindOverBed Dunes::wind_over_bed(const BlowingWind& wind) const {
     if (wind_found_at_ != steps_) find_wind(wind);
-    ContinuousTransport::Wind over{wind, shadow_.shade()};
+    WindOverBed over{wind, shadow_.shade()};
     if (shear_) over.shear = &relief_;
     if (!bent_.x.empty()) over.bent = &bent_;
     if (walls_) {
@@ -364,7 +364,7 @@ void Dunes::fill_sources() {
 }
 
 void Dunes::blow_continuously(const BlowingWind& wind) {
-    ContinuousTransport::Wind over = wind_over_bed(wind);
+    WindOverBed over = wind_over_bed(wind);
     if (plants_) over.plants = &*plants_;
     if (shelter_) {
         shelter_->find(wind);

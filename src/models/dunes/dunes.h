@@ -6,19 +6,20 @@
 #include <vector>
 
 #include "models/avalanche/slope_relaxation.h"
-#include "models/dunes/continuous_transport.h"
-#include "models/dunes/dune_bed.h"
-#include "models/dunes/dunes_parameters.h"
-#include "models/dunes/plant_shelter.h"
-#include "models/dunes/plants.h"
-#include "models/dunes/relief_shear.h"
+#include "models/dunes/plants/plant_shelter.h"
+#include "models/dunes/plants/plants.h"
 #include "models/dunes/rock_wear.h"
-#include "models/dunes/slab_transport.h"
-#include "models/dunes/wind_bend.h"
-#include "models/dunes/wind_schedule.h"
-#include "models/dunes/wind_shadow.h"
-#include "models/dunes/windward_bubbles.h"
-#include "models/dunes/windward_walls.h"
+#include "models/dunes/setup/dune_bed.h"
+#include "models/dunes/setup/dunes_parameters.h"
+#include "models/dunes/transport/continuous_transport.h"
+#include "models/dunes/transport/slab_transport.h"
+#include "models/dunes/transport/wind_over_bed.h"
+#include "models/dunes/wind/relief_shear.h"
+#include "models/dunes/wind/wind_bend.h"
+#include "models/dunes/wind/wind_schedule.h"
+#include "models/dunes/wind/wind_shadow.h"
+#include "models/dunes/wind/windward_bubbles.h"
+#include "models/dunes/wind/windward_walls.h"
 #include "models/shared/model.h"
 
 namespace fumon {
@@ -78,7 +79,7 @@ class Dunes : public Model {
     void blow_continuously(const BlowingWind& wind);
     void find_wind(const BlowingWind& wind) const;
     /// The wind over the bed as it is, of continuous transport: found once a step.
-    ContinuousTransport::Wind wind_over_bed(const BlowingWind& wind) const;
+    WindOverBed wind_over_bed(const BlowingWind& wind) const;
     void bend(const BlowingWind& wind) const;
     [[nodiscard]] Grid wind_turn() const;
     void fill_sources();

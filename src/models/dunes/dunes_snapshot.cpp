@@ -54,11 +54,10 @@ Grid flux_of_fields(const Snapshot& snapshot, double saturated) {
 
 Grid Dunes::local_wind() const {
     const BlowingWind wind = schedule_.at(steps_);
-    const ContinuousTransport::Wind over = wind_over_bed(wind);
+    const WindOverBed over = wind_over_bed(wind);
     Grid local(ground_.nx, ground_.ny);
     for (int y = 0; y < ground_.ny; ++y) {
-        for (int x = 0; x < ground_.nx; ++x)
-            local(x, y) = ContinuousTransport::lift_factor(over, x, y);
+        for (int x = 0; x < ground_.nx; ++x) local(x, y) = lift_factor(over, x, y);
     }
     return local;
 }

@@ -1,4 +1,4 @@
-#include "models/dunes/kernels/drift_vectors.h"
+#include "models/dunes/transport/kernels/drift_vectors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "models/dunes/plant_shelter.h"
+#include "models/dunes/plants/plant_shelter.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "base/snapshot_lookup.h"
 #include "base/worker_pool.h"
 #include "models/dunes/dunes.h"
-#include "models/dunes/plants.h"
+#include "models/dunes/plants/plants.h"
 #include "models/shared/state_hash.h"
 #include "support/temporary_folder.h"
 

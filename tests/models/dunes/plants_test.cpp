@@ -1,4 +1,4 @@
-#include "models/dunes/plants.h"
+#include "models/dunes/plants/plants.h"
 
 #include <gtest/gtest.h>
 

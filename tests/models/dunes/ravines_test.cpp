@@ -1,4 +1,4 @@
-#include "models/dunes/ravines.h"
+#include "models/dunes/setup/ravines.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "models/dunes/dunes.h"
-#include "models/dunes/ground_features.h"
+#include "models/dunes/setup/ground_features.h"
 #include "support/temporary_folder.h"
 
 namespace fumon::test {

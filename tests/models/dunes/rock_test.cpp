@@ -11,7 +11,7 @@
 #include "base/worker_pool.h"
 #include "models/dunes/abrasion_reach.h"
 #include "models/dunes/dunes.h"
-#include "models/dunes/ground_features.h"
+#include "models/dunes/setup/ground_features.h"
 #include "models/shared/state_hash.h"
 #include "support/temporary_folder.h"
 

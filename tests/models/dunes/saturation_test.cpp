@@ -14,7 +14,7 @@
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "models/dunes/dunes.h"
-#include "models/dunes/saturation_hops.h"
+#include "models/dunes/transport/saturation_hops.h"
 #include "support/temporary_folder.h"
 
 namespace fumon::test {

@@ -1,4 +1,4 @@
-#include "models/dunes/wind_bend.h"
+#include "models/dunes/wind/wind_bend.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "models/dunes/dunes.h"
-#include "models/dunes/relief_shear.h"
+#include "models/dunes/wind/relief_shear.h"
 #include "models/shared/state_hash.h"
 
 namespace fumon::test {

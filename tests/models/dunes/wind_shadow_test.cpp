@@ -1,6 +1,6 @@
 // Wind shadows behind walls, round a periodic bed, and over lines cut apart anywhere.
 
-#include "models/dunes/wind_shadow.h"
+#include "models/dunes/wind/wind_shadow.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Winds of dunes given by a speed or a friction velocity, against the saturated flux worked out by
 // hand, with the integral of its law by quadrature.
 
-#include "models/dunes/wind_strength.h"
+#include "models/dunes/wind/wind_strength.h"
 
 #include <gtest/gtest.h>
 

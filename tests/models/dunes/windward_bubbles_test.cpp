@@ -1,6 +1,6 @@
 // Still air before slopes that face the wind more steeply than it follows them.
 
-#include "models/dunes/windward_bubbles.h"
+#include "models/dunes/wind/windward_bubbles.h"
 
 #include <gtest/gtest.h>
 
