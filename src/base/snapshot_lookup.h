@@ -31,10 +31,10 @@ struct HorizontalDirection {
 };
 
 /// Where the winds of a run move the sand on balance: the direction of the resultant of their
-/// drifts; +x where the model tells none. Nothing where they cancel: where the resultant is less
-/// than 1 % of the sum.
-inline std::optional<HorizontalDirection> downwind(const Snapshot& snapshot) {
-    constexpr double cancelled = 0.01;
+/// drifts; +x where the model tells none. Nothing where they cancel: where the resultant is no more
+/// than the share `cancelled` of the sum.
+inline std::optional<HorizontalDirection> downwind(const Snapshot& snapshot,
+                                                   double cancelled = 0.01) {
     constexpr double rounding = 1e-9;
     if (snapshot.winds.empty()) return HorizontalDirection{};
     double x = 0.0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -12,6 +13,7 @@
 
 #include "base/error.h"
 #include "drape/area_drape.h"
+#include "drape/gauge_places.h"
 #include "drape/layer_places.h"
 #include "files/hash.h"
 #include "files/terrain/grid_hash.h"
@@ -98,19 +100,31 @@ void lay_layers(Scene& scene, InitialBed& initial) {
     scene.view.placed_layers.reset();
     if (scene.view.layers.empty()) return;
     if (initial.bed.ny() < 2) {
-        throw InputError(scene.at("layer.0.file") +
+        throw InputError(scene.at(scene.view.layers.front().data == LayerData::file
+                                      ? "layer.0.file"
+                                      : "layer.0.data") +
                          "[[layer]] lies over beds of several rows, and this one is a profile; "
                          "leave it out");
     }
     const std::vector<InputKey> keys = input_keys(scene);
-    const std::size_t first = keys.size() - scene.view.layers.size();
+    const auto files = static_cast<std::size_t>(std::ranges::count(
+        scene.view.layers, LayerData::file, [](const LayerSettings& layer) { return layer.data; }));
+    std::size_t next = keys.size() - files;
     PlacedLayers placed;
     for (std::size_t n = 0; n < scene.view.layers.size(); ++n) {
-        const InputKey& input = keys[first + n];
+        const LayerSettings& layer = scene.view.layers[n];
+        if (layer.data != LayerData::file) {
+            placed.layers.push_back(layer.data == LayerData::gauges
+                                        ? placed_gauges(scene, layer, initial)
+                                        : PlacedLayer{});
+            continue;
+        }
+        const std::size_t number = next++;
+        const InputKey& input = keys[number];
         const fs::path file = input_path(scene, input);
         check_named_file(scene, input.path, *input.file, file);
         placed.layers.push_back(read_placed(scene, n, file, initial));
-        if (initial.inputs.size() <= first + n)
+        if (initial.inputs.size() <= number)
             initial.inputs.push_back({file.lexically_normal().string(), hex(grid_hash(file))});
     }
     std::vector<FilledAreas> areas;

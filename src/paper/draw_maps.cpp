@@ -10,6 +10,7 @@
 #include "base/elementary.h"
 #include "base/quantity_text.h"
 #include "base/units.h"
+#include "figure/ground/snapshot_layers.h"
 #include "figure/panels/axis_units.h"
 #include "figure/panels/hill_shading.h"
 #include "figure/panels/map_panel.h"
@@ -139,7 +140,7 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
             shown.lines = crest_lines_of(subject.snapshots[k], settings.flux_ratio);
         shown.contours = ground_contours(settings.contours, subject.snapshots[k]);
         shown.layers = subject.panel.picture->scene.view.layers;
-        shown.placed_layers = subject.panel.picture->scene.view.placed_layers;
+        shown.placed_layers = layers_over(subject.panel.picture->scene.view, subject.snapshots[k]);
         MadePanel one;
         const Values own = shared ? values : values_of(picture);
         if (labels_range_ends(settings)) mark_range_ends(picture.colours, own);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -257,6 +258,33 @@ void check_look(const Scene& scene, Faults& faults) {
     }
 }
 
+void check_layer_data(const LayerSettings& layer,
+                      const std::function<std::string(const char*)>& key, const Refuse& refuse) {
+    if (layer.data == LayerData::file) {
+        if (layer.file.empty()) {
+            refuse(key("file"),
+                   fmt::format("{} is missing; name a GeoJSON, GeoPackage or shapefile, or say "
+                               "{} = \"contours\", \"streams\" or \"gauges\"",
+                               key("file"), key("data")));
+        }
+        return;
+    }
+    const auto of_files = [&](const char* name, const std::string& text) {
+        if (text.empty()) return;
+        refuse(key(name), fmt::format("{} belongs to {} = \"file\"", key(name), key("data")));
+    };
+    of_files("file", layer.file);
+    of_files("name", layer.name);
+    of_files("where", layer.where);
+    const char* field = layer.data == LayerData::contours  ? "height"
+                        : layer.data == LayerData::streams ? "order"
+                                                           : "name";
+    if (!layer.label.empty() && layer.label != field) {
+        refuse(key("label"), fmt::format("{} is \"{}\"; this layer has the label \"{}\" alone",
+                                         key("label"), layer.label, field));
+    }
+}
+
 void check_layers(const Scene& scene, Faults& faults) {
     const Refuse refuse{scene, faults};
     for (std::size_t n = 0; n < scene.view.layers.size(); ++n) {
@@ -268,9 +296,7 @@ void check_layers(const Scene& scene, Faults& faults) {
                                           "hexadecimal digits each of red, green and blue",
                                           key(name), colour));
         };
-        if (layer.file.empty())
-            refuse(key("file"),
-                   key("file") + " is missing; name a GeoJSON, GeoPackage or shapefile");
+        check_layer_data(layer, key, refuse);
         check_colour("colour", layer.colour);
         if (!layer.fill.empty()) check_colour("fill", layer.fill);
         const bool some =

@@ -87,8 +87,11 @@ std::vector<InputKey> input_keys(Scene& scene) {
     for (std::size_t n = 0; n < count_of_maps(keys); ++n)
         named.push_back({map_key(n, "file"), &value_of<std::string>(keys, n, "file")});
     if (!scene.view.look.drape.empty()) named.push_back({"look.drape", &scene.view.look.drape});
-    for (std::size_t n = 0; n < scene.view.layers.size(); ++n)
-        named.push_back({fmt::format("layer.{}.file", n), &scene.view.layers[n].file});
+    for (std::size_t n = 0; n < scene.view.layers.size(); ++n) {
+        LayerSettings& layer = scene.view.layers[n];
+        if (layer.data == LayerData::file)
+            named.push_back({fmt::format("layer.{}.file", n), &layer.file});
+    }
     return named;
 }
 

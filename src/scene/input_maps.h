@@ -17,7 +17,7 @@ struct InputKey {
 
 /// The keys of a scene that name files which its run reads, in the order of InitialBed::inputs:
 /// bed.file where it starts from one, then those of [[map]], then look.drape where there is one,
-/// then those of [[layer]].
+/// then those of [[layer]] that have one.
 std::vector<InputKey> input_keys(Scene& scene);
 
 /// Where such a file lies: as it stands on the command line, else as seen from the scene's folder.

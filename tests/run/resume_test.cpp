@@ -3,7 +3,6 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <functional>
 #include <set>
 #include <string>
 #include <thread>
@@ -14,6 +13,7 @@
 #include "run/run_checkpoint.h"
 #include "support/full_disk.h"
 #include "support/program.h"
+#include "support/resumed_run.h"
 #include "support/same_run.h"
 
 namespace fumon::test {
@@ -21,81 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* output_without_pictures = "[output]\nframes = false\nmovie = false\n";
-
-/// A run that goes on for a second or so, without pictures unless asked for.
-std::string scene_of(const std::string& model, int nx, int ny, int steps,
-                     const std::string& output = output_without_pictures) {
-    return "title = \"resumed\"\nseed = 3\n[model]\n" + model +
-           "[grid]\nnx = " + std::to_string(nx) + "\nny = " + std::to_string(ny) +
-           "\n[run]\nsteps = " + std::to_string(steps) + "\n[image]\nwidth = 64\nheight = 48\n" +
-           output;
-}
-
-std::string sand_scene(int steps) {
-    return scene_of("name = \"sand\"\n", 120, 100, steps,
-                    std::string(output_without_pictures) + "fields_every = 40\nbed_every = 400\n");
-}
-
-void wait_for(const std::function<bool()>& condition) {
-    const auto start = std::chrono::steady_clock::now();
-    while (!condition()) {
-        ASSERT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-}
-
-class ResumeTest : public ::testing::Test {
-  protected:
-    void scene(const std::string& text) const { write_text(folder_ / "scene.toml", text); }
-    [[nodiscard]] Ended run(const std::vector<std::string>& arguments) const {
-        return fumon(arguments, folder_.path());
-    }
-    [[nodiscard]] fs::path out(const std::string& name = "out") const { return folder_ / name; }
-
-    /// Runs the scene to its end, for comparison.
-    void uninterrupted() const {
-        const Ended ended = run({"run", "scene.toml", "-o", "whole", "-q"});
-        ASSERT_EQ(ended.status, 0) << ended.errors;
-    }
-
-    /// Starts or resumes, and sends the signal once another checkpoint is on disk.
-    [[nodiscard]] Ended stop(const std::vector<std::string>& arguments, int signal) const {
-        const fs::path checkpoint = out() / "checkpoint.fumon";
-        std::error_code fault;
-        const auto before = fs::last_write_time(checkpoint, fault);
-        const bool there = !fault;
-        std::vector<std::string> all = arguments;
-        all.insert(all.end(), {"-q", "--checkpoint-every", "0.00001"});
-        Program program(all, folder_.path());
-        wait_for([&] {
-            std::error_code missing;
-            const auto now = fs::last_write_time(checkpoint, missing);
-            return !missing && (!there || now != before);
-        });
-        program.send(signal);
-        return program.wait();
-    }
-
-    /// Leaves a run of sand that was stopped half-way.
-    void stopped_sand(int steps = 20000) const {
-        scene(sand_scene(steps));
-        ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
-    }
-
-    void expect_refusal(const std::vector<std::string>& arguments, const std::string& part) const {
-        const Ended ended = run(arguments);
-        EXPECT_EQ(ended.status, 2) << ended.errors;
-        EXPECT_NE(ended.errors.find(part), std::string::npos) << ended.errors;
-        EXPECT_EQ(std::count(ended.errors.begin(), ended.errors.end(), '\n'), 1);
-    }
-
-    ScratchFolder folder_;
-};
-
 TEST_F(ResumeTest, AKilledRunWithPicturesEndsAsAnUninterruptedOne) {
-    scene(scene_of("name = \"sand\"\n", 40, 30, 900,
-                   "[frames]\nevery = 10\n[output]\nfields_every = 30\nbed_every = 100\n"));
+    scene(resumed_scene("name = \"sand\"\n", 40, 30, 900,
+                        "[frames]\nevery = 10\n[output]\nfields_every = 30\nbed_every = 100\n"));
     uninterrupted();
     EXPECT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGKILL).status, 128 + SIGKILL);
     EXPECT_EQ(read_manifest(out())["status"], "running");
@@ -108,8 +36,8 @@ TEST_F(ResumeTest, AKilledRunWithPicturesEndsAsAnUninterruptedOne) {
 }
 
 TEST_F(ResumeTest, AMovieWithoutFramesIsMadeFromFramesThatAreKeptUntilThen) {
-    scene(scene_of("name = \"sandpile\"\ngrains_per_step = 30\n", 20, 20, 400,
-                   "[frames]\nevery = 4\n[output]\nframes = false\n"));
+    scene(resumed_scene("name = \"sandpile\"\ngrains_per_step = 30\n", 20, 20, 400,
+                        "[frames]\nevery = 4\n[output]\nframes = false\n"));
     uninterrupted();
     EXPECT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
     EXPECT_TRUE(fs::exists(out() / "movie_frames/frame_000000.png"));
@@ -122,73 +50,6 @@ TEST_F(ResumeTest, AMovieWithoutFramesIsMadeFromFramesThatAreKeptUntilThen) {
     expect_same_run(out("whole"), out("none"));
 }
 
-TEST_F(ResumeTest, ACompleteRunGoesOnToALaterStepAsOneThatWasBegunSo) {
-    for (const char* model : {"name = \"sand\"\n", "name = \"dunes\"\n",
-                              "name = \"sandpile\"\ngrains_per_step = 30\n"}) {
-        scene(scene_of(model, 24, 20, 130,
-                       std::string(output_without_pictures) +
-                           "fields_every = 50\nbed_every = 40\nmeasure_every = 7\n"));
-        ASSERT_EQ(run({"run", "scene.toml", "-o", "out", "-q", "--force"}).status, 0);
-        const Ended longer = run({"run", "--resume", "out", "--set", "run.steps=170"});
-        ASSERT_EQ(longer.status, 0) << longer.errors;
-        EXPECT_NE(longer.errors.find("resumes at step 130 of 170\n"), std::string::npos)
-            << longer.errors;
-        ASSERT_EQ(run({"run", "scene.toml", "-o", "whole", "-q", "--force", "--set",
-                       "run.steps=170", "--set", "frames.every=1"})
-                      .status,
-                  0);
-        expect_same_run(out("whole"), out());
-    }
-}
-
-TEST_F(ResumeTest, ACompleteRunMadeLongerKeepsItsFrames) {
-    scene(scene_of("name = \"sand\"\n", 24, 20, 300, "[output]\nfields_at = [10]\n"));
-    ASSERT_EQ(run({"run", "scene.toml", "-o", "out", "-q"}).status, 0);
-    const Ended longer = run({"run", "--resume", "out", "--set", "run.steps=306"});
-    ASSERT_EQ(longer.status, 0) << longer.errors;
-    EXPECT_NE(longer.errors.find("go on every 3 steps"), std::string::npos) << longer.errors;
-    ASSERT_EQ(run({"run", "scene.toml", "-o", "whole", "-q", "--set", "run.steps=306", "--set",
-                   "frames.every=3"})
-                  .status,
-              0);
-    for (const char* file : {"measurements.csv", "fields.nc"})
-        EXPECT_EQ(read_text(out() / file), read_text(out("whole") / file)) << file;
-    const auto made = read_manifest(out());
-    const auto whole = read_manifest(out("whole"));
-    EXPECT_EQ(made["state_sha256"], whole["state_sha256"]);
-    ASSERT_EQ(made["frames"].size(), 103U);
-    for (std::size_t n = 0; n < 103; ++n)
-        EXPECT_EQ(made["frames"][n]["pixels_sha256"], whole["frames"][n]["pixels_sha256"]) << n;
-    EXPECT_EQ(made["movie"]["frames"], whole["movie"]["frames"]);
-}
-
-TEST_F(ResumeTest, WhatElseChangesOfACompleteRunIsRefusedInOneLine) {
-    const std::string small = scene_of("name = \"sand\"\n", 24, 20, 30);
-    scene(small);
-    ASSERT_EQ(run({"run", "scene.toml", "-o", "out", "-q"}).status, 0);
-    const auto refused = [&](std::vector<std::string> settings, const std::string& part) {
-        settings.insert(settings.begin(), {"run", "--resume", "out"});
-        expect_refusal(settings, part);
-    };
-    refused({"--set", "run.steps=50", "--set", "seed=4"}, "only run.steps may change");
-    refused({"--set", "run.steps=20"}, "its 30 steps are done");
-    const Ended same = run({"run", "--resume", "out", "--set", "run.steps=30"});
-    EXPECT_EQ(same.errors, "out: the run is complete, nothing is left to do\n");
-
-    ASSERT_EQ(
-        run({"run", "scene.toml", "-o", "out", "-q", "--force", "--checkpoint-every", "0"}).status,
-        0);
-    refused({"--set", "run.steps=50"}, "its last state was not kept");
-    std::string with_movie = small;
-    with_movie.replace(with_movie.find("movie = false"), 13, "movie = true");
-    scene(with_movie);
-    ASSERT_EQ(run({"run", "scene.toml", "-o", "out", "-q", "--force"}).status, 0);
-    refused({"--set", "run.steps=50"}, "frames that were not kept");
-    scene(small + "[frames]\nlogarithmic = 5\n");
-    ASSERT_EQ(run({"run", "scene.toml", "-o", "out", "-q", "--force"}).status, 0);
-    refused({"--set", "run.steps=50"}, "frames.logarithmic");
-}
-
 class ResumedModel : public ResumeTest, public ::testing::WithParamInterface<int> {};
 
 TEST_P(ResumedModel, KilledAndStoppedItEndsAsIfItHadNotBeen) {
@@ -196,16 +57,17 @@ TEST_P(ResumedModel, KilledAndStoppedItEndsAsIfItHadNotBeen) {
         std::string(output_without_pictures) + "fields_every = 30\nbed_every = 90\n";
     const std::string scenes[] = {
         sand_scene(4000),
-        scene_of("name = \"sand\"\norder = \"random-sequential\"\ncreep = \"profile\"\n", 9000, 1,
-                 1500, output),
-        scene_of("name = \"sandpile\"\norder = \"first-in-first-out\"\ndrop_direction = "
-                 "\"cycling\"\ngrains_per_step = 25\n",
-                 30, 30, 5000, output),
-        scene_of("name = \"gully\"\ntransport = \"as-printed\"\n", 40, 40, 600,
-                 output + "[bed]\nhigh = 0.01\n"),
-        scene_of("name = \"airflow\"\nnz = 20\nflights = true\nshown_paths = 3\nbed_amplitude = "
-                 "0.1\nlid_speed = 0.2\nlaunch_angles = [10.0]\n",
-                 50, 1, 3000, output),
+        resumed_scene("name = \"sand\"\norder = \"random-sequential\"\ncreep = \"profile\"\n", 9000,
+                      1, 1500, output),
+        resumed_scene("name = \"sandpile\"\norder = \"first-in-first-out\"\ndrop_direction = "
+                      "\"cycling\"\ngrains_per_step = 25\n",
+                      30, 30, 5000, output),
+        resumed_scene("name = \"gully\"\ntransport = \"as-printed\"\n", 40, 40, 600,
+                      output + "[bed]\nhigh = 0.01\n"),
+        resumed_scene(
+            "name = \"airflow\"\nnz = 20\nflights = true\nshown_paths = 3\nbed_amplitude = "
+            "0.1\nlid_speed = 0.2\nlaunch_angles = [10.0]\n",
+            50, 1, 3000, output),
     };
     scene(scenes[GetParam()]);
     uninterrupted();
@@ -383,7 +245,7 @@ TEST_F(ResumeTest, AFullDiskForACheckpointDoesNotEndTheRun) {
     fs::create_directories(out("small"));
     const SmallDisk disk(out("small"), 256);
     if (!disk.mounted()) GTEST_SKIP() << "cannot mount a small tmpfs here (needs root)";
-    scene(scene_of("name = \"sand\"\n", 250, 200, 60));
+    scene(resumed_scene("name = \"sand\"\n", 250, 200, 60));
     const Ended ended =
         run({"run", "scene.toml", "-o", "small/out", "--checkpoint-every", "0.00001"});
     EXPECT_EQ(ended.status, 0) << ended.errors;
@@ -398,7 +260,7 @@ TEST_F(ResumeTest, AFullDiskForACheckpointDoesNotEndTheRun) {
 }
 
 TEST_F(ResumeTest, AFrameThatIsGoneOrChangedIsNoticed) {
-    scene(scene_of("name = \"static\"\n", 12, 12, 100000, "[frames]\nevery = 10\n"));
+    scene(resumed_scene("name = \"static\"\n", 12, 12, 100000, "[frames]\nevery = 10\n"));
     ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
     fs::remove(out() / "frames/frame_000000.png");
     expect_refusal({"run", "--resume", "out"}, "out/frames/frame_000000.png: does not exist");
@@ -414,7 +276,7 @@ TEST_F(ResumeTest, AFrameThatIsGoneOrChangedIsNoticed) {
 }
 
 TEST_F(ResumeTest, TheListOfFramesIsKeptAsLongAsItIsNeeded) {
-    scene(scene_of("name = \"static\"\n", 12, 12, 100000, "[frames]\nevery = 10\n"));
+    scene(resumed_scene("name = \"static\"\n", 12, 12, 100000, "[frames]\nevery = 10\n"));
     ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
     const fs::path file = out() / "frames.fumon";
     const std::string bytes = read_text(file);

@@ -32,7 +32,7 @@ void draw_lines(Canvas& canvas, const LayerSettings& settings, const SeenFeature
         if (settings.ground_width > 0.0)
             canvas.fill(part.points, own);
         else
-            canvas.stroke(part.points, settings.width * style.pixel, own, dashes);
+            canvas.stroke(part.points, feature.width * settings.width * style.pixel, own, dashes);
     }
 }
 
@@ -66,10 +66,11 @@ class LayerLabels {
         if (!feature.anchor || feature.label.empty()) return;
         const auto [width, height] = canvas_.text_size(feature.label, settings.label_size);
         const double room = label_gap_em * settings.label_size * canvas_.font_size();
-        const double away =
-            feature.shape == LayerShape::points  ? 0.5 * settings.marker_size * style_.pixel + room
-            : feature.shape == LayerShape::lines ? 0.5 * settings.width * style_.pixel + room
-                                                 : 0.0;
+        const double away = feature.shape == LayerShape::points
+                                ? 0.5 * settings.marker_size * style_.pixel + room
+                            : feature.shape == LayerShape::lines
+                                ? 0.5 * feature.width * settings.width * style_.pixel + room
+                                : 0.0;
         const CanvasPoint at = feature.anchor->points.front();
         for (const CanvasPoint& side : sides_of(feature.shape)) {
             const CanvasBox box{at.x + side.x * (away + 0.5 * width) - 0.5 * width,

@@ -42,7 +42,8 @@ void draw_sign(Canvas& canvas, const CanvasBox& box, const LayerSettings& settin
                                                       {box.x, box.y}}},
                           width, line_ink(settings), dashes);
         }
-    } else if (has_shape(layer, LayerShape::lines)) {
+    } else if (has_shape(layer, LayerShape::lines) || settings.data == LayerData::contours ||
+               settings.data == LayerData::streams) {
         canvas.stroke(std::array<CanvasPoint, 2>{{{box.x, middle.y}, {box.right(), middle.y}}},
                       width, line_ink(settings), dashes);
     } else {

@@ -29,11 +29,12 @@ class LayerSight {
     [[nodiscard]] SeenFeature seen(const LayerFeature& feature) const {
         SeenFeature seen;
         seen.shape = feature.shape;
+        seen.width = feature.width;
         seen.label = feature.label;
         if (feature.shape == LayerShape::points) {
             for (const auto& line : feature.lines) add_point(line.front(), seen.parts);
         } else if (settings_.width > 0.0 || settings_.ground_width > 0.0) {
-            for (const auto& line : feature.lines) add_line(line, seen.parts);
+            for (const auto& line : feature.lines) add_line(line, feature.width, seen.parts);
         }
         if (asked_.areas) {
             for (const auto& ring : feature.rings) seen.rings.push_back(points_of(ring));
@@ -80,11 +81,12 @@ class LayerSight {
         return from;
     }
 
-    void add_line(const std::vector<BedPlace>& line, std::vector<SeenPart>& parts) const {
+    void add_line(const std::vector<BedPlace>& line, double width,
+                  std::vector<SeenPart>& parts) const {
         GroundPart part;
         Sight before = Sight::none;
         const auto end_part = [&] {
-            if (part.places.size() > 1) add_part(part, parts);
+            if (part.places.size() > 1) add_part(part, width, parts);
             part = {};
         };
         for (std::size_t i = 0; i < line.size(); ++i) {
@@ -102,9 +104,9 @@ class LayerSight {
         end_part();
     }
 
-    void add_part(const GroundPart& part, std::vector<SeenPart>& parts) const {
+    void add_part(const GroundPart& part, double width, std::vector<SeenPart>& parts) const {
         if (settings_.ground_width > 0.0) {
-            parts.push_back({outline_of(part.places), part.hidden});
+            parts.push_back({outline_of(part.places, width), part.hidden});
             return;
         }
         std::vector<CanvasPoint> points = points_of(part.places);
@@ -112,8 +114,9 @@ class LayerSight {
     }
 
     /// What a line of a width on the ground covers: along its left and back along its right side.
-    [[nodiscard]] std::vector<CanvasPoint> outline_of(const std::vector<BedPlace>& places) const {
-        const double half = 0.5 * settings_.ground_width;
+    [[nodiscard]] std::vector<CanvasPoint> outline_of(const std::vector<BedPlace>& places,
+                                                      double width) const {
+        const double half = 0.5 * width * settings_.ground_width;
         std::vector<BedPlace> left;
         std::vector<BedPlace> right;
         for (std::size_t i = 0; i < places.size(); ++i) {

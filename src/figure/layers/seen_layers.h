@@ -32,6 +32,7 @@ struct SeenPart {
 
 struct SeenFeature {
     LayerShape shape = LayerShape::lines;
+    double width = 1.0;           ///< of lines, in widths of the layer
     std::vector<SeenPart> parts;  ///< lines, or outlines of what lines cover; points one by one
     std::vector<std::vector<CanvasPoint>> rings;  ///< of areas, where no other drawing shows them
     std::string label;

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "figure/canvas/layers.h"
+#include "figure/ground/snapshot_layers.h"
 #include "figure/layers/draw_layers.h"
 #include "figure/overlays/survey_edge.h"
 #include "figure/panels/projected_ground.h"
@@ -58,8 +59,15 @@ void FrameLayers::draw(Image& image, const OverlayFrame& frame, const std::vecto
     const CanvasBox picture{0.0, 0.0, static_cast<double>(image.width),
                             static_cast<double>(image.height)};
     const ViewProjection view{camera, block, picture};
-    const auto layers = seen_layers({settings_, placed_, picture, length_x_, length_y_, false},
-                                    ProjectedGround(snapshot, view));
+    PlacedLayers with_ground;
+    const bool of_ground = any_of_ground(settings_);
+    if (of_ground) {
+        with_ground = placed_;
+        place_ground_layers(settings_, snapshot, with_ground);
+    }
+    const auto layers = seen_layers(
+        {settings_, of_ground ? with_ground : placed_, picture, length_x_, length_y_, false},
+        ProjectedGround(snapshot, view));
     Canvas canvas(image.width, image.height, font_size_, CanvasGround::transparent);
     draw_layers(canvas, picture, settings_, layers, taken, {1.0, moves_});
     composite_over(image, canvas.layer(), 0, 0, opacity);

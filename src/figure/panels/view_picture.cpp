@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "figure/ground/snapshot_layers.h"
 #include "figure/panels/projected_ground.h"
 #include "figure/panels/relief_view.h"
 #include "render/view/framing.h"
@@ -115,11 +116,11 @@ void add_layers(ViewPicture& picture, const View& view, const Snapshot& first,
     ViewProjection projection = picture.in(square);
     projection.block =
         block_of_frame(picture.block, view.look, averaged_first ? *averaged_first : first, shown);
+    picture.placed_layers = layers_over(view, shown);
     picture.layers = seen_layers(
-        {view.layers, *view.placed_layers, square, picture.length_x, picture.length_y, false},
+        {view.layers, *picture.placed_layers, square, picture.length_x, picture.length_y, false},
         ProjectedGround(shown, projection));
     picture.layer_settings = view.layers;
-    picture.placed_layers = view.placed_layers;
 }
 
 }  // namespace fumon

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "base/elementary.h"
 #include "base/elementary_angle.h"
+#include "base/snapshot_lookup.h"
 #include "base/units.h"
 #include "film/camera/bed_clock.h"
 #include "film/camera/landmarks.h"
@@ -134,22 +136,12 @@ void find_light(const StoredBeds& beds, const Snapshot& last, RunLook& look) {
         slopes_of(last, view.look.exaggeration.is_word() ? automatic_exaggeration(first)
                                                          : view.look.exaggeration.value);
     const bool wind_made = first.landform == Landform::bed || first.landform == Landform::profile;
-    double east = 0.0;
-    double north = 0.0;
-    double all = 0.0;
-    for (const SnapshotWind& wind : first.winds) {
-        east += wind.x * wind.drift;
-        north += wind.y * wind.drift;
-        all += wind.drift;
-    }
-    if (first.winds.empty()) east = all = 1.0;
-    constexpr double least_share = 0.2;  // of the winds' drift, from which on they have a direction
-    const bool blown =
-        wind_made && east * east + north * north > least_share * least_share * all * all;
+    constexpr double cancelled = 0.2;  // of the winds' drift, up to which they have no direction
+    const auto blown_to = wind_made ? downwind(first, cancelled) : std::nullopt;
     const double tilt =
         std::sqrt(slopes.mean_east * slopes.mean_east + slopes.mean_north * slopes.mean_north);
-    if (blown) {
-        look.sun_azimuth = std::fmod(azimuth_of(-east, -north) + past_the_wind, 360.0);
+    if (blown_to) {
+        look.sun_azimuth = std::fmod(azimuth_of(-blown_to->x, -blown_to->y) + past_the_wind, 360.0);
         look.camera_azimuth = std::fmod(look.sun_azimuth - wind_camera_azimuth + 360.0, 360.0);
     } else if (!look.endless && !look.section && tilt > 0.1 * slopes.relief) {
         // On the low side, a little beside the middle of an edge: blocks fill the picture then.
@@ -161,7 +153,7 @@ void find_light(const StoredBeds& beds, const Snapshot& last, RunLook& look) {
     } else if (!look.endless) {
         look.camera_azimuth = 200.0;
     }
-    if (!blown) {
+    if (!blown_to) {
         constexpr double aside = 75.0;
         constexpr double usual = 25.0;
         const double right = std::fmod(look.camera_azimuth - aside + 360.0, 360.0);

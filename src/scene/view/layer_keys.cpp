@@ -24,8 +24,10 @@ void list_layer_marks(LayerSettings& layer, const std::string& path, KeyTable& t
                  {.help = "of points"});
     table.real(path + ".marker_size", layer.marker_size,
                {.unit = "pixels", .range = {1, 500}, .help = "how wide markers are"});
-    table.text(path + ".label", layer.label,
-               {.help = "a field of the file whose values stand beside its features; empty: none"});
+    table.text(
+        path + ".label", layer.label,
+        {.help = "a field of the file, or of other data the one that layer.data names, whose "
+                 "values stand beside its features; empty: none"});
     table.real(path + ".label_size", layer.label_size,
                {.unit = "font sizes",
                 .range = {0.2, 10},
@@ -41,7 +43,32 @@ void list_layer_marks(LayerSettings& layer, const std::string& path, KeyTable& t
                         "figures; empty: no entry"});
 }
 
+void list_layer_data(LayerSettings& layer, const std::string& path, KeyTable& table) {
+    table.choice(
+        path + ".data", layer.data,
+        {{LayerData::file, "file", "layer.file"},
+         {LayerData::contours, "contours",
+          "lines of equal height, every fifth thicker; the label \"height\""},
+         {LayerData::streams, "streams",
+          "where water gathers (D8), wider from order to order; the label \"order\""},
+         {LayerData::gauges, "gauges", "the points and lines of [[gauge]]; the label \"name\""}},
+        {.help = "what is laid over the bed"});
+    table.word_or_real(path + ".interval", layer.interval,
+                       {{"auto", "a round interval: up to 16 lines"}},
+                       {.unit = "m",
+                        .range = {0, 1e6, true},
+                        .help = "of contours; in model heights where there are no metres"});
+    table.real(path + ".channel_area", layer.channel_area,
+               {.unit = "m2",
+                .range = {0, 1e15},
+                .help = "that drains through the source of a stream, at least (cells without "
+                        "metres); 0: a 500th of the ground"});
+    table.integer(path + ".least_order", layer.least_order,
+                  {.range = {1, 20}, .help = "of the streams that are drawn, after Strahler"});
+}
+
 void list_layer_keys(LayerSettings& layer, const std::string& path, KeyTable& table) {
+    list_layer_data(layer, path, table);
     table.text(path + ".file", layer.file,
                {.help = "GeoJSON, GeoPackage, shapefile or another vector file of GDAL's; "
                         "relative to the scene file, or with --set to the working folder"});
@@ -90,8 +117,10 @@ std::optional<std::array<double, 3>> layer_colour(std::string_view text) {
 }
 
 void list_layers(std::vector<LayerSettings>& layers, KeyTable& table) {
-    table.tables("layer", layers, "lines, points and areas of a vector file over the bed",
-                 list_layer_keys);
+    table.tables(
+        "layer", layers,
+        "lines, points and areas over the bed: of a vector file, contours, streams, gauges",
+        list_layer_keys);
 }
 
 }  // namespace fumon

@@ -8,18 +8,25 @@
 #include <string_view>
 #include <vector>
 
+#include "keys/word_or_real.h"
 #include "scene/view/drape.h"
 
 namespace fumon {
 
+enum class LayerData { file, contours, streams, gauges };
 enum class LayerMarker { none, circle, square, triangle, cross };
 enum class BehindRidges { hide, faint, show };
 
-/// Lines, points and areas of a vector file that are laid over the bed ([[layer]]).
+/// Lines, points and areas that are laid over the bed ([[layer]]): of a vector file, or what the
+/// bed and the model have.
 struct LayerSettings {
+    LayerData data = LayerData::file;
     std::string file;
-    std::string name;   ///< the layer within the file; empty: the only one
-    std::string where;  ///< which of its features; empty: all
+    std::string name;                  ///< the layer within the file; empty: the only one
+    std::string where;                 ///< which of its features; empty: all
+    WordOrReal interval{"auto", 0.0};  ///< of contours, metres or model heights
+    double channel_area = 0.0;         ///< of streams, m² or cells; 0: a 500th of the ground
+    std::int64_t least_order = 1;      ///< of streams, after Strahler
     std::string colour = "#b5651d";
     double width = 2.0;         ///< of lines, pixels
     double ground_width = 0.0;  ///< of lines, metres or sites; 0: `width` counts
@@ -47,6 +54,7 @@ using BedPlace = std::array<double, 2>;
 /// A thing of a layer, clipped to the bed.
 struct LayerFeature {
     LayerShape shape = LayerShape::lines;
+    double width = 1.0;  ///< of lines, in widths of the layer
     /// Points one by one, or lines, among them the borders of areas; at most a cell from point to
     /// point.
     std::vector<std::vector<BedPlace>> lines;
