@@ -82,7 +82,7 @@ class Choice {
         for (const bool over_time : {true, false}) {
             for (const std::string& name : entry->names) {
                 const auto found = std::ranges::find_if(maps_, [&](const ForeignMap& map) {
-                    return map.variable.name == name && map.over_time == over_time &&
+                    return means(map) && map.known_as == name && map.over_time == over_time &&
                            may_be(map, quantity);
                 });
                 if (found == maps_.end()) continue;
@@ -111,6 +111,11 @@ class Choice {
     [[nodiscard]] bool free(const ForeignMap& map) const {
         return !taken_.contains(map.variable.name);
     }
+    /// Whether the model of the file does not mean something else by a name.
+    [[nodiscard]] bool means(const ForeignMap& map) const {
+        return model_ == nullptr ||
+               std::ranges::find(model_->other_names, map.known_as) == model_->other_names.end();
+    }
     /// The water of a run with times is over them; its maxima are not.
     [[nodiscard]] bool may_be(const ForeignMap& map, Quantity quantity) const {
         return free(map) && (quantity == Quantity::bed || map.over_time ||
@@ -128,7 +133,7 @@ class Choice {
         if (entry == model_->quantities.end()) return;
         for (const std::string& name : entry->names) {
             const auto found = std::ranges::find_if(
-                fitting, [&](const ForeignMap& map) { return map.variable.name == name; });
+                fitting, [&](const ForeignMap& map) { return map.known_as == name; });
             if (found == fitting.end()) continue;
             fitting = {*found};
             return;
@@ -159,6 +164,7 @@ std::vector<ForeignMap> maps_of(const NetcdfInput& input, int records) {
                 (map.dimensions.empty() ? "" : ", ") + input.dimension_name(dimension);
         map.standard_name = input.text(variable.variable, "standard_name").value_or("");
         map.unit = input.text(variable.variable, "units").value_or("");
+        map.known_as = variable.name;
         map.variable = std::move(variable);
         maps.push_back(std::move(map));
     }
@@ -183,8 +189,9 @@ int dimension_of_records(const NetcdfInput& input) {
     return best;
 }
 
-const ForeignModel* model_of_file(const NetcdfInput& input, const std::vector<ForeignMap>& maps) {
-    std::string words;
+const ForeignModel* model_of_file(const NetcdfInput& input, const std::vector<ForeignMap>& maps,
+                                  const std::string& more_words) {
+    std::string words = lowered(more_words);
     for (const char* attribute : {"source", "title", "model", "program", "Producer", "history",
                                   "institution", "Conventions"})
         words += " " + lowered(input.text(NC_GLOBAL, attribute).value_or(""));
@@ -198,7 +205,7 @@ const ForeignModel* model_of_file(const NetcdfInput& input, const std::vector<Fo
         for (const QuantityNames& names : model.quantities) {
             fitting +=
                 static_cast<std::size_t>(std::ranges::any_of(maps, [&](const ForeignMap& map) {
-                    return std::ranges::find(names.names, map.variable.name) != names.names.end();
+                    return std::ranges::find(names.names, map.known_as) != names.names.end();
                 }));
         }
         if (fitting <= most) continue;

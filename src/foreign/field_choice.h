@@ -12,9 +12,15 @@
 
 namespace fumon {
 
+/// What the values of a map belong to: cells over two sides, or parts of a mesh.
+enum class MapPlace { cells, nodes, faces };
+
 /// A map that a file holds.
 struct ForeignMap {
     BedVariable variable;
+    MapPlace place = MapPlace::cells;
+    std::string known_as;  ///< its name in the table of models
+    std::string side{};    ///< of a mesh: the dimension of its nodes or faces
     std::string standard_name;
     std::string unit;
     std::string dimensions;  ///< "time, n, m"
@@ -37,9 +43,10 @@ std::vector<ForeignMap> maps_of(const NetcdfInput& input, int records);
 /// map has records.
 int dimension_of_records(const NetcdfInput& input);
 
-/// The model that wrote a file: by its attributes' words, else that of which most names fit; null
-/// where none does.
-const ForeignModel* model_of_file(const NetcdfInput& input, const std::vector<ForeignMap>& maps);
+/// The model that wrote a file: by its attributes' words and `more_words`, else that of which most
+/// names fit; null where none does.
+const ForeignModel* model_of_file(const NetcdfInput& input, const std::vector<ForeignMap>& maps,
+                                  const std::string& more_words = {});
 
 /// Which map is which quantity. `named`: by the user. Throws InputError, with the candidates, for a
 /// name that the file has not, where two maps fit one quantity, and where none is the bed, unless
