@@ -47,6 +47,7 @@ std::optional<ForeignMap> mesh_map(const NetcdfInput& input, const MeshLayout& m
     map.place = place == mesh.faces ? MapPlace::faces : MapPlace::nodes;
     map.standard_name = input.text(variable, "standard_name").value_or("");
     map.unit = input.text(variable, "units").value_or("");
+    map.positive = input.text(variable, "positive").value_or("");
     // Models call their mesh what they like, and its variables after it.
     const std::string prefix = mesh.name + "_";
     const bool after_mesh = !mesh.name.empty() && map.variable.name.starts_with(prefix);

@@ -16,7 +16,6 @@
 
 #include "base/error.h"
 #include "files/netcdf/netcdf_input.h"
-#include "files/terrain/wanted_unit.h"
 #include "files/unit_conversion.h"
 #include "foreign/field_choice.h"
 #include "foreign/field_files.h"
@@ -104,37 +103,6 @@ NamedFields named_fields(const ForeignQuery& query) {
         (is_file_wish(wish.source) ? named.files : named.variables)[wish.quantity] = wish.source;
     }
     return named;
-}
-
-/// From the file's numbers to fumon's, of an unpacked map.
-UnitConversion conversion_of(const NetcdfInput& input, const ChosenMap& chosen) {
-    const QuantityFacts& facts = facts_of(chosen.quantity);
-    const std::string& unit = chosen.map.unit;
-    UnitConversion conversion;
-    if (!unit.empty() && unit != "-" && unit != "?" && unit != "1") {
-        std::optional<UnitConversion> known;
-        if (facts.unit == "m") {
-            if (const auto metres = metres_per_height(unit)) known = UnitConversion{*metres};
-        } else {
-            known = unit_conversion(unit, facts.unit);
-        }
-        if (!known)
-            input.refuse(fmt::format("{} is in \"{}\", and cannot be its {}",
-                                     chosen.map.variable.name, unit, facts.name),
-                         fmt::format("a {} becomes {}; name another by --field {}=NAME", facts.name,
-                                     facts.unit, facts.key));
-        conversion = *known;
-    }
-    const int variable = chosen.map.variable.variable;
-    const std::string positive = input.text(variable, "positive").value_or("");
-    const bool down =
-        chosen.quantity == Quantity::bed && (grows_downward(positive, chosen.map.standard_name) ||
-                                             (positive.empty() && chosen.grows_downward));
-    if (down) {
-        conversion.factor = -conversion.factor;
-        conversion.offset = -conversion.offset;
-    }
-    return conversion;
 }
 
 /// Where the maps of a run lie: on cells of their own, or on a mesh.
@@ -286,18 +254,17 @@ ForeignRun read_netcdf_run(const std::string& name, std::vector<fs::path> files,
         refuse_other_layouts(input);
         const FileMaps file = maps_of_file(input);
         const std::vector<ForeignMap>& maps = file.maps;
-        const std::string mesh_words = !file.mesh         ? ""
-                                       : file.mesh->anuga ? "ANUGA"
-                                                          : file.mesh->name;
-        const ForeignModel* model = model_of_file(input, maps, mesh_words);
+        std::string words = words_of_file(input);
+        if (file.mesh) words += file.mesh->anuga ? " anuga" : " " + file.mesh->name;
+        const ForeignModel* model = model_of_maps(words, maps);
         run.title = title_of(input, files.front());
         if (files.size() == 1 && !file.mesh) take_own_steps(input, run.times);
         if (model != nullptr) {
             run.dry = model->dry;
             if (model->name != "others") run.model = model->name;
         }
-        const std::vector<ChosenMap> chosen =
-            choose_maps(input, maps, model, named.variables, named.files.contains(Quantity::bed));
+        const std::vector<ChosenMap> chosen = choose_maps(
+            input.name(), maps, model, named.variables, named.files.contains(Quantity::bed));
         const ForeignMap& sides = chosen.empty() ? maps.front() : chosen.front().map;
         const MapsPlace place = file.mesh ? mesh_place(input, *file.mesh, query.cell_size, run)
                                           : cells_place(input, sides, run);
@@ -308,9 +275,10 @@ ForeignRun read_netcdf_run(const std::string& name, std::vector<fs::path> files,
                     fmt::format("{} ({}) and {} ({}) lie on different grids", sides.variable.name,
                                 sides.dimensions, one.map.variable.name, one.map.dimensions),
                     "all fields of a run need the same grid");
-            run.fields.push_back({one.quantity, one.map.variable.name, one.map.unit,
-                                  one.map.dimensions, one.reason, one.map.over_time,
-                                  reader_of(records, one, place, conversion_of(input, one))});
+            run.fields.push_back(
+                {one.quantity, one.map.variable.name, one.map.unit, one.map.dimensions, one.reason,
+                 one.map.over_time,
+                 reader_of(records, one, place, conversion_of(input.name(), one))});
         }
         if (place.mesh) {
             std::size_t last = 0;
@@ -320,7 +288,7 @@ ForeignRun read_netcdf_run(const std::string& name, std::vector<fs::path> files,
                 volume_note(*place.mesh, chosen, last, [&](const ChosenMap& one) {
                     std::vector<double> values =
                         place.mesh->values(input, one.map, one.map.over_time ? last : 0);
-                    const UnitConversion conversion = conversion_of(input, one);
+                    const UnitConversion conversion = conversion_of(input.name(), one);
                     for (double& value : values) value = conversion(value);
                     return values;
                 });
