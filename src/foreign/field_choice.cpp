@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
+#include "base/error.h"
 #include "base/nearest_name.h"
+#include "files/terrain/wanted_unit.h"
 #include "files/unit_conversion.h"
 #include "foreign/netcdf_place.h"
 #include "foreign/netcdf_times.h"
@@ -21,6 +25,10 @@ std::string lowered(std::string text) {
     for (char& letter : text)
         letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     return text;
+}
+
+[[noreturn]] void refuse(const std::string& file, std::string_view what, std::string_view remedy) {
+    throw InputError(fmt::format("{}: {}; {}", file, what, remedy));
 }
 
 std::string words_of(const ForeignMap& map) {
@@ -42,8 +50,8 @@ bool is_length(const std::string& unit) {
 /// What of the file is chosen so far, and what it is chosen by.
 class Choice {
   public:
-    Choice(const NetcdfInput& input, const std::vector<ForeignMap>& maps, const ForeignModel* model)
-        : input_(input), maps_(maps), model_(model) {}
+    Choice(const std::string& file, const std::vector<ForeignMap>& maps, const ForeignModel* model)
+        : file_(file), maps_(maps), model_(model) {}
 
     void take_named(Quantity quantity, const std::string& name) {
         for (const ForeignMap& map : maps_) {
@@ -52,8 +60,8 @@ class Choice {
         }
         std::vector<std::string> known;
         for (const ForeignMap& map : maps_) known.push_back(map.variable.name);
-        input_.refuse(fmt::format("has no map \"{}\" to be its {}", name, facts_of(quantity).name),
-                      known.empty() ? "it has none at all" : suggestion(name, known));
+        refuse(file_, fmt::format("has no map \"{}\" to be its {}", name, facts_of(quantity).name),
+               known.empty() ? "it has none at all" : suggestion(name, known));
     }
 
     void take_standard(Quantity quantity) {
@@ -67,10 +75,11 @@ class Choice {
         if (fitting.empty()) return;
         if (fitting.size() > 1) keep_preferred(quantity, fitting);
         if (fitting.size() > 1)
-            input_.refuse(fmt::format("{} maps have the standard name of its {}: {}",
-                                      fitting.size(), facts_of(quantity).name, listed(fitting)),
-                          fmt::format("name one by --field {}={}", facts_of(quantity).key,
-                                      fitting.front().variable.name));
+            refuse(file_,
+                   fmt::format("{} maps have the standard name of its {}: {}", fitting.size(),
+                               facts_of(quantity).name, listed(fitting)),
+                   fmt::format("name one by --field {}={}", facts_of(quantity).key,
+                               fitting.front().variable.name));
         const std::string reason = "CF standard name " + fitting.front().standard_name;
         take({quantity, fitting.front(), reason});
     }
@@ -82,7 +91,7 @@ class Choice {
         for (const bool over_time : {true, false}) {
             for (const std::string& name : entry->names) {
                 const auto found = std::ranges::find_if(maps_, [&](const ForeignMap& map) {
-                    return map.variable.name == name && map.over_time == over_time &&
+                    return means(map) && map.known_as == name && map.over_time == over_time &&
                            may_be(map, quantity);
                 });
                 if (found == maps_.end()) continue;
@@ -111,6 +120,11 @@ class Choice {
     [[nodiscard]] bool free(const ForeignMap& map) const {
         return !taken_.contains(map.variable.name);
     }
+    /// Whether the model of the file does not mean something else by a name.
+    [[nodiscard]] bool means(const ForeignMap& map) const {
+        return model_ == nullptr ||
+               std::ranges::find(model_->other_names, map.known_as) == model_->other_names.end();
+    }
     /// The water of a run with times is over them; its maxima are not.
     [[nodiscard]] bool may_be(const ForeignMap& map, Quantity quantity) const {
         return free(map) && (quantity == Quantity::bed || map.over_time ||
@@ -128,14 +142,14 @@ class Choice {
         if (entry == model_->quantities.end()) return;
         for (const std::string& name : entry->names) {
             const auto found = std::ranges::find_if(
-                fitting, [&](const ForeignMap& map) { return map.variable.name == name; });
+                fitting, [&](const ForeignMap& map) { return map.known_as == name; });
             if (found == fitting.end()) continue;
             fitting = {*found};
             return;
         }
     }
 
-    const NetcdfInput& input_;
+    const std::string& file_;
     const std::vector<ForeignMap>& maps_;
     const ForeignModel* model_;
     std::vector<ChosenMap> chosen_;
@@ -159,6 +173,8 @@ std::vector<ForeignMap> maps_of(const NetcdfInput& input, int records) {
                 (map.dimensions.empty() ? "" : ", ") + input.dimension_name(dimension);
         map.standard_name = input.text(variable.variable, "standard_name").value_or("");
         map.unit = input.text(variable.variable, "units").value_or("");
+        map.positive = input.text(variable.variable, "positive").value_or("");
+        map.known_as = variable.name;
         map.variable = std::move(variable);
         maps.push_back(std::move(map));
     }
@@ -183,11 +199,16 @@ int dimension_of_records(const NetcdfInput& input) {
     return best;
 }
 
-const ForeignModel* model_of_file(const NetcdfInput& input, const std::vector<ForeignMap>& maps) {
+std::string words_of_file(const NetcdfInput& input) {
     std::string words;
     for (const char* attribute : {"source", "title", "model", "program", "Producer", "history",
                                   "institution", "Conventions"})
-        words += " " + lowered(input.text(NC_GLOBAL, attribute).value_or(""));
+        words += " " + input.text(NC_GLOBAL, attribute).value_or("");
+    return words;
+}
+
+const ForeignModel* model_of_maps(const std::string& said, const std::vector<ForeignMap>& maps) {
+    const std::string words = lowered(said);
     for (const ForeignModel& model : foreign_models())
         if (model.name != "others" && words.find(lowered(model.name)) != std::string::npos)
             return &model;
@@ -198,7 +219,7 @@ const ForeignModel* model_of_file(const NetcdfInput& input, const std::vector<Fo
         for (const QuantityNames& names : model.quantities) {
             fitting +=
                 static_cast<std::size_t>(std::ranges::any_of(maps, [&](const ForeignMap& map) {
-                    return std::ranges::find(names.names, map.variable.name) != names.names.end();
+                    return std::ranges::find(names.names, map.known_as) != names.names.end();
                 }));
         }
         if (fitting <= most) continue;
@@ -208,10 +229,10 @@ const ForeignModel* model_of_file(const NetcdfInput& input, const std::vector<Fo
     return best;
 }
 
-std::vector<ChosenMap> choose_maps(const NetcdfInput& input, const std::vector<ForeignMap>& maps,
+std::vector<ChosenMap> choose_maps(const std::string& file, const std::vector<ForeignMap>& maps,
                                    const ForeignModel* model,
                                    const std::map<Quantity, std::string>& named, bool has_bed) {
-    Choice choice(input, maps, model);
+    Choice choice(file, maps, model);
     for (const auto& [quantity, name] : named) choice.take_named(quantity, name);
     for (const QuantityFacts& facts : quantities()) {
         if (facts.quantity == Quantity::bed && has_bed) continue;
@@ -226,12 +247,42 @@ std::vector<ChosenMap> choose_maps(const NetcdfInput& input, const std::vector<F
     if (!has_bed && !choice.has(Quantity::bed)) choice.take_only_bed();
     if (!has_bed && !choice.has(Quantity::bed) &&
         !(choice.has(Quantity::depth) && choice.has(Quantity::level))) {
-        if (maps.empty()) input.refuse("holds no map over two sides", "name another file");
-        input.refuse("no map is known as its bed",
-                     fmt::format("name it by --field bed=NAME, or bed=FILE of another; it has {}",
-                                 listed(maps)));
+        if (maps.empty()) refuse(file, "holds no map over two sides", "name another file");
+        refuse(file, "no map is known as its bed",
+               fmt::format("name it by --field bed=NAME, or bed=FILE of another; it has {}",
+                           listed(maps)));
     }
     return std::move(choice).chosen();
+}
+
+UnitConversion conversion_of(const std::string& file, const ChosenMap& chosen) {
+    const QuantityFacts& facts = facts_of(chosen.quantity);
+    const std::string& unit = chosen.map.unit;
+    UnitConversion conversion;
+    if (!unit.empty() && unit != "-" && unit != "?" && unit != "1") {
+        std::optional<UnitConversion> known;
+        if (facts.unit == "m") {
+            if (const auto metres = metres_per_height(unit)) known = UnitConversion{*metres};
+        } else {
+            known = unit_conversion(unit, facts.unit);
+        }
+        if (!known)
+            refuse(file,
+                   fmt::format("{} is in \"{}\", and cannot be its {}", chosen.map.variable.name,
+                               unit, facts.name),
+                   fmt::format("a {} becomes {}; name another by --field {}=NAME", facts.name,
+                               facts.unit, facts.key));
+        conversion = *known;
+    }
+    const std::string& positive = chosen.map.positive;
+    const bool down =
+        chosen.quantity == Quantity::bed && (grows_downward(positive, chosen.map.standard_name) ||
+                                             (positive.empty() && chosen.grows_downward));
+    if (down) {
+        conversion.factor = -conversion.factor;
+        conversion.offset = -conversion.offset;
+    }
+    return conversion;
 }
 
 }  // namespace fumon

@@ -6,18 +6,21 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "base/error.h"
 #include "files/netcdf/netcdf_input.h"
-#include "files/terrain/wanted_unit.h"
 #include "files/unit_conversion.h"
 #include "foreign/field_choice.h"
 #include "foreign/field_files.h"
+#include "foreign/mesh_maps.h"
+#include "foreign/mesh_volume.h"
 #include "foreign/netcdf_place.h"
 #include "foreign/netcdf_times.h"
 #include "foreign/run_times.h"
@@ -55,22 +58,36 @@ struct RunRecords {
 };
 
 void refuse_other_layouts(const NetcdfInput& input) {
-    for (int variable = 0; variable < input.variables(); ++variable) {
-        if (input.text(variable, "cf_role").value_or("") == "mesh_topology")
-            input.refuse("holds polygons (UGRID), which are not read",
-                         "lay them on a raster first (xugrid: "
-                         "OverlapRegridder; Delft3D FM: output of maps on a grid)");
-    }
-    if (input.find_variable("volumes") && input.find_variable("xllcorner") == std::nullopt &&
-        input.find_variable("elevation") && input.find_variable("stage"))
-        input.refuse("holds ANUGA's triangles, which are not read",
-                     "write rasters of it by anuga.sww2dem and open them as a series");
     if (input.variables() > 0) return;
     int groups = 0;
     check_netcdf(nc_inq_grps(input.id(), &groups, nullptr));
     input.refuse(groups > 0 ? "is HDF5 with groups, and no map in its root" : "holds no variable",
                  "write the maps as NetCDF; of HEC-RAS export depth and terrain as GeoTIFF (RAS "
                  "Mapper: Results, Export Layer) and open them as a series");
+}
+
+/// What of a file may be a field.
+struct FileMaps {
+    std::optional<MeshLayout> mesh;
+    int records = -1;  ///< the dimension of its records
+    std::vector<ForeignMap> maps;
+};
+
+FileMaps maps_of_file(const NetcdfInput& input) {
+    FileMaps file{find_mesh(input), -1, {}};
+    file.records = file.mesh ? records_of_mesh(input, *file.mesh) : dimension_of_records(input);
+    file.maps =
+        file.mesh ? maps_of_mesh(input, *file.mesh, file.records) : maps_of(input, file.records);
+    return file;
+}
+
+RawTimes times_of_file(const NetcdfInput& input, const std::string& unit) {
+    const std::optional<MeshLayout> mesh = find_mesh(input);
+    const int records = mesh ? records_of_mesh(input, *mesh) : dimension_of_records(input);
+    if (records < 0) return RawTimes{{0.0}, true, {}, {}, {}};
+    if (mesh) return times_of_mesh(input, *mesh, records, unit);
+    const bool own = input.find_variable("bed_height") && input.find_variable("step");
+    return netcdf_times(input, records, own ? "time" : "", unit);
 }
 
 /// What a user named for each quantity: variables of the file, and other files.
@@ -88,56 +105,52 @@ NamedFields named_fields(const ForeignQuery& query) {
     return named;
 }
 
-/// From the file's numbers to fumon's, of an unpacked map.
-UnitConversion conversion_of(const NetcdfInput& input, const ChosenMap& chosen) {
-    const QuantityFacts& facts = facts_of(chosen.quantity);
-    const std::string& unit = chosen.map.unit;
-    UnitConversion conversion;
-    if (!unit.empty() && unit != "-" && unit != "?" && unit != "1") {
-        std::optional<UnitConversion> known;
-        if (facts.unit == "m") {
-            if (const auto metres = metres_per_height(unit)) known = UnitConversion{*metres};
-        } else {
-            known = unit_conversion(unit, facts.unit);
-        }
-        if (!known)
-            input.refuse(fmt::format("{} is in \"{}\", and cannot be its {}",
-                                     chosen.map.variable.name, unit, facts.name),
-                         fmt::format("a {} becomes {}; name another by --field {}=NAME", facts.name,
-                                     facts.unit, facts.key));
-        conversion = *known;
+/// Where the maps of a run lie: on cells of their own, or on a mesh.
+struct MapsPlace {
+    NetcdfPlace cells;
+    std::shared_ptr<const LaidMesh> mesh{};
+};
+
+/// Heights that stand for none in most rasters, whether a file says so or not: Landlab keeps those
+/// of the raster that it began with.
+void clear_usual_fill(std::span<double> values) {
+    for (double& value : values)
+        if (value == -9999.0 || value == -99999.0) value = std::numeric_limits<double>::quiet_NaN();
+}
+
+/// A record of a file's map in its own numbers.
+Grid read_record(const NetcdfInput& input, const ForeignMap& map, bool is_bed,
+                 const MapsPlace& place, std::size_t record) {
+    if (place.mesh) {
+        std::vector<double> values = place.mesh->values(input, map, record);
+        if (is_bed) clear_usual_fill(values);
+        return place.mesh->laid(map, values);
     }
-    const int variable = chosen.map.variable.variable;
-    const std::string positive = input.text(variable, "positive").value_or("");
-    const bool down =
-        chosen.quantity == Quantity::bed && (grows_downward(positive, chosen.map.standard_name) ||
-                                             (positive.empty() && chosen.grows_downward));
-    if (down) {
-        conversion.factor = -conversion.factor;
-        conversion.offset = -conversion.offset;
-    }
-    return conversion;
+    const std::int64_t number =
+        map.variable.has_records ? static_cast<std::int64_t>(record) + 1 : 0;
+    Grid values =
+        read_map(input, choose_bed_variable(input, map.variable.name, {number}), place.cells);
+    if (is_bed) clear_usual_fill(values.values());
+    return values;
 }
 
 /// Reads a chosen map; one that does not change is kept.
 std::function<Grid(std::size_t)> reader_of(const std::shared_ptr<const RunRecords>& records,
-                                           const ChosenMap& chosen, const NetcdfPlace& place,
+                                           const ChosenMap& chosen, const MapsPlace& place,
                                            const UnitConversion& conversion) {
-    const auto read = [records, place, conversion, name = chosen.map.variable.name,
-                       has_records = chosen.map.variable.has_records,
-                       over_time = chosen.map.over_time](std::size_t number) {
-        const RecordPlace at = over_time ? records->places.at(number) : RecordPlace{};
+    const ForeignMap& map = chosen.map;
+    const bool is_bed = chosen.quantity == Quantity::bed;
+    const auto read = [records, place, conversion, map, is_bed](std::size_t number) {
+        const RecordPlace at = map.over_time ? records->places.at(number) : RecordPlace{};
         const fs::path& file = records->files[at.file];
         return reading(file, [&] {
             const NetcdfInput input(file);
-            const auto record = static_cast<std::int64_t>(at.record) + 1;
-            Grid values = read_map(
-                input, choose_bed_variable(input, name, {has_records ? record : 0}), place);
+            Grid values = read_record(input, map, is_bed, place, at.record);
             for (double& value : values.values()) value = conversion(value);
             return values;
         });
     };
-    if (chosen.map.over_time) return read;
+    if (map.over_time) return read;
     return [read, kept = std::make_shared<Grid>()](std::size_t number) {
         if (kept->empty()) *kept = read(number);
         return *kept;
@@ -145,7 +158,8 @@ std::function<Grid(std::size_t)> reader_of(const std::shared_ptr<const RunRecord
 }
 
 /// Times and records of all files, in the order of their times.
-RawTimes all_times(const std::vector<fs::path>& files, RunRecords& records) {
+RawTimes all_times(const std::vector<fs::path>& files, const std::string& unit,
+                   RunRecords& records) {
     struct Part {
         RawTimes times;
         std::size_t file;
@@ -155,11 +169,7 @@ RawTimes all_times(const std::vector<fs::path>& files, RunRecords& records) {
         parts.push_back({reading(files[file],
                                  [&] {
                                      const NetcdfInput input(files[file]);
-                                     const int dimension = dimension_of_records(input);
-                                     if (dimension < 0) return RawTimes{{0.0}, true, {}, {}, {}};
-                                     const bool own = input.find_variable("bed_height") &&
-                                                      input.find_variable("step");
-                                     return netcdf_times(input, dimension, own ? "time" : "");
+                                     return times_of_file(input, unit);
                                  }),
                          file});
     }
@@ -201,6 +211,25 @@ void take_own_steps(const NetcdfInput& input, ForeignTimes& times) {
     times.steps.assign(steps.begin(), steps.end());
 }
 
+MapsPlace cells_place(const NetcdfInput& input, const ForeignMap& sides, ForeignRun& run) {
+    MapsPlace place{place_of_maps(input, sides.variable)};
+    run.scale = place.cells.scale;
+    run.nx = place.cells.nx;
+    run.ny = place.cells.ny;
+    if (!place.cells.note.empty()) run.notes.push_back(place.cells.note);
+    return place;
+}
+
+MapsPlace mesh_place(const NetcdfInput& input, const MeshLayout& mesh, double cell,
+                     ForeignRun& run) {
+    MapsPlace place{{}, lay_mesh(input, mesh, cell)};
+    run.scale = place.mesh->scale;
+    run.nx = place.mesh->grid.nx();
+    run.ny = place.mesh->grid.ny();
+    run.notes = place.mesh->notes;
+    return place;
+}
+
 std::string title_of(const NetcdfInput& input, const fs::path& file) {
     std::string title = input.text(NC_GLOBAL, "title").value_or("");
     constexpr std::size_t longest = 80;
@@ -216,38 +245,54 @@ ForeignRun read_netcdf_run(const std::string& name, std::vector<fs::path> files,
     const NamedFields named = named_fields(query);
     const auto records = std::make_shared<RunRecords>();
     records->files = files;
-    const RawTimes times = all_times(files, *records);
+    const RawTimes times = all_times(files, query.time_unit, *records);
     if (times.values.empty())
         throw InputError(fmt::format("{}: has no record yet; let the run write one first", name));
     run.times = run_times(times, name);
     reading(files.front(), [&] {
         const NetcdfInput input(files.front());
         refuse_other_layouts(input);
-        const std::vector<ForeignMap> maps = maps_of(input, dimension_of_records(input));
-        const ForeignModel* model = model_of_file(input, maps);
+        const FileMaps file = maps_of_file(input);
+        const std::vector<ForeignMap>& maps = file.maps;
+        std::string words = words_of_file(input);
+        if (file.mesh) words += file.mesh->anuga ? " anuga" : " " + file.mesh->name;
+        const ForeignModel* model = model_of_maps(words, maps);
         run.title = title_of(input, files.front());
-        if (files.size() == 1) take_own_steps(input, run.times);
+        if (files.size() == 1 && !file.mesh) take_own_steps(input, run.times);
         if (model != nullptr) {
             run.dry = model->dry;
             if (model->name != "others") run.model = model->name;
         }
-        const std::vector<ChosenMap> chosen =
-            choose_maps(input, maps, model, named.variables, named.files.contains(Quantity::bed));
+        const std::vector<ChosenMap> chosen = choose_maps(
+            input.name(), maps, model, named.variables, named.files.contains(Quantity::bed));
         const ForeignMap& sides = chosen.empty() ? maps.front() : chosen.front().map;
-        const NetcdfPlace place = place_of_maps(input, sides.variable);
-        run.scale = place.scale;
-        if (!place.note.empty()) run.notes.push_back(place.note);
-        run.nx = place.nx;
-        run.ny = place.ny;
+        const MapsPlace place = file.mesh ? mesh_place(input, *file.mesh, query.cell_size, run)
+                                          : cells_place(input, sides, run);
         for (const ChosenMap& one : chosen) {
-            if (one.map.variable.x != sides.variable.x || one.map.variable.y != sides.variable.y)
+            if (!file.mesh &&
+                (one.map.variable.x != sides.variable.x || one.map.variable.y != sides.variable.y))
                 input.refuse(
                     fmt::format("{} ({}) and {} ({}) lie on different grids", sides.variable.name,
                                 sides.dimensions, one.map.variable.name, one.map.dimensions),
                     "all fields of a run need the same grid");
-            run.fields.push_back({one.quantity, one.map.variable.name, one.map.unit,
-                                  one.map.dimensions, one.reason, one.map.over_time,
-                                  reader_of(records, one, place, conversion_of(input, one))});
+            run.fields.push_back(
+                {one.quantity, one.map.variable.name, one.map.unit, one.map.dimensions, one.reason,
+                 one.map.over_time,
+                 reader_of(records, one, place, conversion_of(input.name(), one))});
+        }
+        if (place.mesh) {
+            std::size_t last = 0;
+            for (const RecordPlace& at : records->places)
+                if (at.file == 0) last = std::max(last, at.record);
+            const std::string error =
+                volume_note(*place.mesh, chosen, last, [&](const ChosenMap& one) {
+                    std::vector<double> values =
+                        place.mesh->values(input, one.map, one.map.over_time ? last : 0);
+                    const UnitConversion conversion = conversion_of(input.name(), one);
+                    for (double& value : values) value = conversion(value);
+                    return values;
+                });
+            if (!error.empty()) run.notes.push_back(error);
         }
         for (const ForeignMap& map : maps) {
             if (std::ranges::none_of(chosen, [&](const ChosenMap& one) {

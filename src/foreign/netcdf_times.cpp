@@ -28,6 +28,13 @@ bool is_time(const NetcdfInput& input, int variable) {
            std::ranges::find(names, input.variable_name(variable)) != names.end();
 }
 
+/// AeoLiS writes a list of words: "['2015-01-01' '00:00']".
+std::string without_brackets(std::string text) {
+    std::erase_if(text,
+                  [](char letter) { return letter == '[' || letter == ']' || letter == '\''; });
+    return text;
+}
+
 std::vector<double> values_of(const NetcdfInput& input, int variable, int dimension) {
     std::vector<double> values(input.dimension_length(dimension));
     if (values.empty()) return values;
@@ -60,7 +67,8 @@ std::optional<int> time_variable(const NetcdfInput& input, int dimension) {
     return std::nullopt;
 }
 
-RawTimes netcdf_times(const NetcdfInput& input, int dimension, const std::string& wanted) {
+RawTimes netcdf_times(const NetcdfInput& input, int dimension, const std::string& wanted,
+                      const std::string& said) {
     RawTimes times;
     std::optional<int> variable = time_variable(input, dimension);
     const auto named = wanted.empty() ? std::nullopt : input.find_variable(wanted);
@@ -86,19 +94,25 @@ RawTimes netcdf_times(const NetcdfInput& input, int dimension, const std::string
             input.refuse(fmt::format("the calendar of {} is \"{}\"", name, calendar),
                          "it takes standard, noleap or 360_day");
         times.calendar = *kind;
-        if (const auto date = parse_date(unit.substr(at + since.size()))) {
+        if (const auto date = parse_date(without_brackets(unit.substr(at + since.size())))) {
             times.origin = seconds_of(*date, *kind);
             if (*kind == CalendarKind::gregorian && calendar != "proleptic_gregorian")
                 *times.origin += seconds_to_julian(*date);
         }
         unit.resize(at);
     }
+    if (unit.empty() || unit == "-" || unit == "1") unit = said;
     const auto seconds = unit_conversion(unit, "s");
     if (!seconds) {
         times.counted = true;
         times.origin.reset();
-        times.note = fmt::format(
-            "{} is in \"{}\", not a unit of time: its numbers are taken as steps", name, unit);
+        times.note =
+            unit.empty()
+                ? fmt::format(
+                      "{} has no unit: its numbers are taken as steps; --time-unit says theirs",
+                      name)
+                : fmt::format("{} is in \"{}\", not a unit of time: its numbers are taken as steps",
+                              name, unit);
         return times;
     }
     for (double& value : times.values) value *= seconds->factor;

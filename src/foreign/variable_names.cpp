@@ -19,6 +19,9 @@ ForeignModel model_of(const toml::table& table) {
     ForeignModel model;
     model.name = table["name"].value_or(std::string());
     model.dry = table["dry"].value_or(0.0);
+    if (const toml::array* const others = table["other"].as_array())
+        for (const toml::node& node : *others)
+            model.other_names.push_back(node.value_or(std::string()));
     for (const QuantityFacts& facts : quantities()) {
         const toml::array* const list = table[facts.key].as_array();
         if (list == nullptr) continue;

@@ -17,6 +17,7 @@ struct QuantityNames {
 struct ForeignModel {
     std::string name;
     std::vector<QuantityNames> quantities;
+    std::vector<std::string> other_names{};  ///< those that mean something else in its files
     double dry = 0.0;  ///< metres, the depth below which it has no water; 0: it does not say
 };
 

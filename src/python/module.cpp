@@ -16,6 +16,7 @@ void define(pybind11::module_& core) {
     core.def("pin_rendering", &gl::pin_rendering);
     define_scenes(core);
     define_runs(core);
+    define_results(core);
     define_beds(core);
     define_memory_beds(core);
     define_projections(core);

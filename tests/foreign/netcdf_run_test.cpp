@@ -276,16 +276,7 @@ TEST_F(ForeignNetcdf, ACutFileIsOneLine) {
     EXPECT_EQ(message.find('\n'), std::string::npos);
 }
 
-TEST_F(ForeignNetcdf, PolygonsAndOtherFormatsNameTheWayIn) {
-    {
-        const NetcdfMaker maker(path);
-        const int faces = maker.dimension("mesh2d_nFaces", 3);
-        const int mesh = maker.variable("mesh2d", NC_INT, {});
-        maker.text(mesh, "cf_role", "mesh_topology");
-        (void)described(maker, "mesh2d_s1", {faces}, "m");
-    }
-    EXPECT_NE(refusal().find("holds polygons (UGRID), which are not read; lay them on a raster"),
-              std::string::npos);
+TEST_F(ForeignNetcdf, OtherFormatsNameTheWayIn) {
     const std::string vtk = folder.file("run.vtu", "<VTKFile>").string();
     EXPECT_NE(message_of<InputError>([&] { (void)open_foreign_run(vtk); }).find("is VTK"),
               std::string::npos);

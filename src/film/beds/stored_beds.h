@@ -55,6 +55,9 @@ class StoredBeds {
                                const std::vector<std::string>& settings = {},
                                const ForeignQuery& query = {});
 
+    /// The same of a run whose records somebody else reads.
+    static StoredBeds of_records(ForeignRun run, const std::vector<std::string>& settings = {});
+
     /// A folder or what is none, whichever it is.
     static StoredBeds of_argument(const std::string& argument, int threads,
                                   const std::vector<std::string>& settings = {},
@@ -87,6 +90,8 @@ class StoredBeds {
     /// The files that are read.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
 
+    /// Where the run is another model's, what was recognised of it; else null.
+    [[nodiscard]] const ForeignRun* foreign() const { return foreign_ ? &*foreign_ : nullptr; }
     /// Where the run is another model's, how it was asked for; else nothing.
     [[nodiscard]] const std::optional<ForeignQuery>& foreign_query() const { return query_; }
 

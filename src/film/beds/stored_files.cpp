@@ -72,7 +72,7 @@ Scene scene_of_foreign(const ForeignRun& run, const std::vector<std::string>& se
                   [](const auto& entry) { return !entry.second.starts_with("--set"); });
     if (scene.title.empty()) scene.title = run.title;
     const ForeignField* bed = run.find(Quantity::bed);
-    scene.bed.file = run.files.front().string();
+    scene.bed.file = run.files.empty() ? run.name : run.files.front().string();
     if (bed != nullptr && !bed->dimensions.empty()) scene.bed.variable = bed->name;
     scene.run.steps = run.times.steps.back();
     return scene;
@@ -104,6 +104,10 @@ StoredBeds StoredBeds::of_files(const std::string& argument, int threads,
     if (query.fields.empty() && is_run_of_fumon(argument))
         return of_own_fields(argument, threads, settings);
     return of_foreign(open_foreign_run(argument, query), query, settings);
+}
+
+StoredBeds StoredBeds::of_records(ForeignRun run, const std::vector<std::string>& settings) {
+    return of_foreign(std::move(run), {}, settings);
 }
 
 StoredBeds StoredBeds::of_own_fields(const fs::path& file, int threads,
@@ -154,8 +158,9 @@ StoredBeds StoredBeds::of_foreign(ForeignRun run, const ForeignQuery& query,
     initial.bed = stored.first_.bed;
     initial.nodata = stored.first_.nodata;
     initial.scale = stored.first_.scale;
-    initial.inputs.push_back(
-        {foreign.files.front().string(), hash_of(foreign.files.front())});  // its bed.file
+    if (!foreign.files.empty())
+        initial.inputs.push_back(
+            {foreign.files.front().string(), hash_of(foreign.files.front())});  // its bed.file
     PreparedScene ready = prepare_scene(scene_of_foreign(foreign, settings), std::move(initial));
     for (std::size_t i = 1; i < foreign.files.size(); ++i)
         ready.initial.inputs.push_back({foreign.files[i].string(), hash_of(foreign.files[i])});

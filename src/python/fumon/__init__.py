@@ -8,6 +8,8 @@
     fumon.measure(heights, cell_size=30)        # its wavelengths, slopes, dunes …
     fumon.raster(heights, "slope", cell_size=30)  # also aspect, hillshade, drainage, wetness
     fumon.movie(beds, "growth.mp4", cell_size=30)
+    fumon.open("flood.nc").film("flood.mp4")    # results of other models; their records, too: fumon.open("flood.nc")[-1].image()
+    fumon.film("erosion.mp4")                   # a film of a running model
     fumon.Bmi()                                 # a model for others to step and change
     fumon.figure_axes(ax, scene)                # a view or map in axes of Matplotlib; also fumon.colormap("batlow")
     fumon.compare(image, other), fumon.fingerprint(image)
@@ -37,11 +39,13 @@ _find_data()
 
 from .axes import FigureAxes, colormap, figure_axes  # noqa: E402
 from .bmi import Bmi  # noqa: E402
+from .datasets import GrowingFilm, film  # noqa: E402
 from .images import Comparison, Image, compare, fingerprint  # noqa: E402
 from .layers import Layers  # noqa: E402
 from .measures import Measures  # noqa: E402
 from .movies import Movie, movie  # noqa: E402
 from .rasters import raster  # noqa: E402
+from .results import Record, Results, open  # noqa: E402
 from .scene import Run, Scene, Step  # noqa: E402
 from .terrain import measure, render, render_layers  # noqa: E402
 
@@ -58,6 +62,7 @@ def pin_rendering() -> None:
 
 
 __all__ = [
-    "Bmi", "Comparison", "Error", "FigureAxes", "Image", "InputError", "Layers", "Measures", "Movie", "Run", "Scene", "Step",
-    "colormap", "compare", "figure_axes", "fingerprint", "measure", "movie", "pin_rendering", "raster", "render", "render_layers",
+    "Bmi", "Comparison", "Error", "FigureAxes", "GrowingFilm", "Image", "InputError", "Layers", "Measures", "Movie", "Record", "Results",
+    "Run", "Scene", "Step", "colormap", "compare", "figure_axes", "film", "fingerprint", "measure", "movie", "open", "pin_rendering",
+    "raster", "render", "render_layers",
 ]

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Mapping
 
 import xarray
 
 from .arrays import Bytes
+from .datasets import results_of_dataset
 from .images import Image, PathLike
 from .measures import Measures
 from .movies import Movie, movie
 from .rasters import made_raster
+from .results import Results
 from .settings import Setting
 from .terrain import CellSize, Origin, measure, ordered_dims, render
 
@@ -57,6 +59,36 @@ class DatasetAccessor:
     def __init__(self, dataset: xarray.Dataset) -> None:
         self._dataset = dataset
 
-    def movie(self, file: PathLike, **options: Any) -> Movie:
-        """A movie of its heights, see fumon.movie()."""
-        return movie(self._dataset, file, **options)
+    def results(self, *, bed: str | None = None, depth: str | None = None, level: str | None = None, u: str | None = None,
+                v: str | None = None, **look: Setting) -> Results:
+        """Its records as a run, which fumon.open() gives of a file: what is bed and water is recognised by CF standard names and the
+        names of models, or named here. Values are read, or computed by Dask, a record at a time. look: keys of a scene."""
+        return results_of_dataset(self._dataset, {"bed": bed, "depth": depth, "level": level, "u": u, "v": v}, look)
+
+    def still(self, file: PathLike, record: int = -1, **options: Any) -> None:
+        """Writes the picture of a record. options: variables and look, as for results()."""
+        self.results(**options).still(file, record)
+
+    def film(self, file: PathLike, film: PathLike | None = None, *, style: str = "talk", seconds: float = 0.0,
+             film_settings: Mapping[str, Setting] | None = None, **options: Any) -> Movie:
+        """A film with a moving camera, see Results.film(), whose keys film_settings sets. options: variables and look, as for
+        results()."""
+        return self.results(**options).film(file, film, style=style, seconds=seconds, **(film_settings or {}))
+
+    def movie(self, file: PathLike, *, bed: str | None = None, depth: str | None = None, level: str | None = None,
+              u: str | None = None, v: str | None = None, rate: float = 30.0, quality: int = 18,
+              progress: bool | None = None, **options: Any) -> Movie:
+        """A movie with a frame for each record. Where water is recognised or named (depth, level), it is drawn, and options are keys
+        of a scene; else it is a movie of heights, see fumon.movie()."""
+        named = {"bed": bed, "depth": depth, "level": level, "u": u, "v": v}
+        if any(named.values()) or self._has_water():
+            look = {key: value for key, value in options.items()}
+            return results_of_dataset(self._dataset, named, look).movie(file, rate=rate, quality=quality, progress=progress)
+        return movie(self._dataset, file, rate=rate, quality=quality, progress=progress, **options)
+
+    def _has_water(self) -> bool:
+        try:
+            fields = results_of_dataset(self._dataset, {}, {}).fields
+        except ValueError:  # InputError among them
+            return False
+        return "depth" in fields or "level" in fields

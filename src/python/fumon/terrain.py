@@ -145,6 +145,20 @@ def _place_of(array: Any) -> Place | None:
     return west, south, dx, dy, "degrees" in (_unit(x), _unit(y)), _crs_of(array)
 
 
+def cells_of_coordinates(array: Any) -> tuple[tuple[float, float] | None, Place | None]:
+    """The size of an array's cells, metres, and where it lies, by its coordinates: those of its dimensions, or x and y over both."""
+    north, east = ordered_dims(array)
+    array = array.squeeze([dim for dim in array.dims if dim not in (north, east)])
+    if east in array.coords and north in array.coords:
+        return _size_of_coordinates(array.coords[east], array.coords[north]), _place_of(array)
+    planes = [array.coords[name].transpose(north, east).values for name in ("x", "y")
+              if name in array.coords and set(array.coords[name].dims) == {north, east}]
+    if len(planes) != 2 or min(planes[0].shape) < 2:
+        return None, None
+    dx, dy = (float(np.hypot(*(np.diff(plane, axis=axis).mean() for plane in planes))) for axis in (1, 0))
+    return (dx, dy) if dx > 0 and dy > 0 else None, None
+
+
 def _crs_of(array: Any) -> str:
     """The reference system that rioxarray or CF's grid mapping notes, as WKT or "EPSG:32613"; empty where there is none."""
     name = array.attrs.get("grid_mapping") or array.encoding.get("grid_mapping") or "spatial_ref"

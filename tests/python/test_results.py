@@ -1,0 +1,138 @@
+"""Stored records of runs and of other models, opened, drawn and filmed; Datasets; films of running models."""
+
+import numpy as np
+import pytest
+
+import fumon
+
+xarray = pytest.importorskip("xarray")
+
+SMALL = {"image_width": 160, "image_height": 120, "image_supersampling": 1}
+
+
+def flood(records=3, upside_down=False):
+    """A valley that fills: depth at (record, y, x) is .5·record west of x = 50 m, and none east of it."""
+    y, x = np.arange(12) * 10.0, np.arange(16) * 10.0
+    bed = np.abs(y[:, None] - 60.0) / 10.0 + 0.0 * x
+    depth = np.zeros((records, 12, 16))
+    depth[:, :, :5] = 0.5 * np.arange(records)[:, None, None]
+    data = xarray.Dataset(
+        {"zb": (("y", "x"), bed, {"units": "m"}), "h": (("time", "y", "x"), depth * 100.0, {"units": "cm"}),
+         "u": (("time", "y", "x"), np.full_like(depth, 0.25), {"units": "m s-1"})},
+        coords={"y": ("y", y, {"units": "m"}), "x": ("x", x, {"units": "m"}),
+                "time": np.datetime64("2019-08-31T14:00", "ns") + np.arange(records) * np.timedelta64(30, "m")},
+        attrs={"source": "SFINCS"})
+    return data.isel(y=slice(None, None, -1)) if upside_down else data
+
+
+def test_a_file_is_opened_as_a_run(tmp_path):
+    file = tmp_path / "flood.nc"
+    flood().to_netcdf(file)
+    run = fumon.open(file, **SMALL)
+    assert len(run) == 3 and run.time_unit == "min"
+    assert list(run.times) == [0, 30, 60] and run.steps == [0, 1, 2]
+    assert run.dates[1] == "2019-08-31 14:30 UTC"
+    assert run.fields["depth"][:2] == ("h", "cm")
+    assert "of SFINCS" in run.description
+    last = run[-1]
+    assert last.date == "2019-08-31 15:00 UTC" and last.time == 60
+    assert last.fields["water_depth"][3, 2] == 1.0 and last.fields["water_depth"][3, 9] == 0.0
+    assert last.bed[0, 0] == 6.0 and last.cell_size == (10.0, 10.0)
+    assert last.measures["wet_area"] > 0 if "wet_area" in last.measures else len(last.measures) > 0
+    assert last.image().shape == (120, 160, 3)
+    assert not np.array_equal(run[0].image(), last.image())
+    assert [one.step for one in run[1:]] == [1, 2]
+    run.still(tmp_path / "last.png")
+    assert (tmp_path / "last.png").read_bytes()[1:4] == b"PNG"
+    with pytest.raises(IndexError):
+        run[3]
+    with pytest.raises(fumon.InputError, match="has no map \"hh\""):
+        fumon.open(file, fields={"depth": "hh"})
+
+
+def test_a_run_of_fumon_is_opened(tmp_path):
+    import os
+    import subprocess
+    program = os.environ.get("FUMON_PROGRAM", "fumon")
+    subprocess.run([program, "run", "terada-ripples", "-o", str(tmp_path / "out"), "--quiet", "--set", "run.steps=4", "--set",
+                    "output.fields_every=2", "--set", "output.frames=false", "--set", "output.movie=false", "--set", "grid.nx=40",
+                    "--set", "grid.ny=40"], check=True)
+    run = fumon.open(tmp_path / "out")
+    assert run.steps == [0, 2, 4] and run.fields == {} and run.description == ""
+    assert run[1].bed.shape == (40, 40)
+
+
+@pytest.mark.parametrize("upside_down", [False, True])
+def test_a_dataset_is_recognised_as_a_file_is(upside_down):
+    run = flood(upside_down=upside_down).fumon.results()
+    assert run.dates[2] == "2019-08-31 15:00 UTC"
+    assert set(run.fields) == {"bed", "depth", "u"}
+    last = run[2]
+    assert last.fields["water_depth"][3, 2] == 1.0
+    assert last.bed[0, 0] == 6.0 and last.bed[11, 0] == 5.0
+    assert last.fields["velocity_x"][3, 2] == 0.25 and last.fields["velocity_x"][3, 9] == 0.0
+    assert last.cell_size == (10.0, 10.0)
+
+
+def test_variables_of_a_dataset_are_named():
+    data = flood().rename({"h": "wetness", "zb": "floor"})
+    run = data.fumon.results(bed="floor", depth="wetness")
+    assert run[1].fields["water_depth"][0, 0] == 0.5
+    with pytest.raises(fumon.InputError, match="has no map \"flor\""):
+        data.fumon.results(bed="flor")
+
+
+def test_dask_computes_a_record_at_a_time():
+    dask_array = pytest.importorskip("dask.array")
+    computed = []
+
+    def noted(block, block_info=None):
+        if block_info is not None and len(block_info) > 0:
+            computed.append(block_info[0]["chunk-location"][0])
+        return block
+    data = flood(5)
+    lazy = dask_array.from_array(data["h"].values, chunks=(1, 12, 16)).map_blocks(noted, dtype=float)
+    run = data.assign(h=(("time", "y", "x"), lazy, {"units": "cm"})).fumon.results()
+    computed.clear()
+    assert run[3].fields["water_depth"][0, 0] == 1.5
+    assert computed == [3]
+
+
+def test_movies_and_films_show_water(tmp_path):
+    data = flood()
+    movie = data.fumon.movie(tmp_path / "a.mp4", rate=5, **SMALL)
+    assert (movie.frames, movie.width, movie.height) == (3, 160, 120)
+    script = tmp_path / "film.toml"
+    script.write_text('[film]\nwidth = 160\nheight = 120\nrate = 5\nsupersampling = 1\n'
+                      '[[shot]]\nseconds = 1\nfrom = "start"\nto = "end"\nmove = "orbit"\nturn = 20\n')
+    film = data.fumon.film(tmp_path / "b.mp4", script, film_settings={"film_rate": 4})
+    assert film.frames == 4 and film.file.stat().st_size > 1000
+    data.fumon.still(tmp_path / "c.png", record=1, **SMALL)
+    assert (tmp_path / "c.png").exists()
+
+
+class Grid:
+    """What of a RasterModelGrid of Landlab is used."""
+
+    shape, dx, dy = (12, 16), 10.0, 10.0
+
+    def __init__(self):
+        values = flood()
+        self.at_node = {"topographic__elevation": values["zb"].values.ravel(), "surface_water__depth": np.zeros(12 * 16)}
+
+
+def test_a_film_grows_with_a_running_model(tmp_path):
+    grid = Grid()
+    with fumon.film(tmp_path / "grown.mp4", rate=5, time_unit="s", **SMALL) as film:
+        dry = film.add(grid, time=0.0)
+        grid.at_node["surface_water__depth"][:] = 2.0
+        wet = film.add(grid, time=60.0)
+        bare = film.add(grid.at_node["topographic__elevation"].reshape(12, 16), cell_size=10, time=120.0)
+        with pytest.raises(ValueError, match="the first state had no u"):
+            film.add(grid, u=np.zeros((12, 16)))
+    assert np.abs(dry.astype(int) - bare).mean() < 2
+    assert dry.shape == (120, 160, 3)
+    assert np.abs(dry.astype(int) - wet).mean() > 2
+    assert (tmp_path / "grown.mp4").exists()
+    with pytest.raises(ValueError, match="needs a frame"):
+        fumon.film(tmp_path / "none.mp4").finish()
