@@ -18,6 +18,7 @@
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
 #include "numerics/resampling.h"
+#include "numerics/spline_refinement.h"
 #include "scene/beds/made_beds.h"
 #include "scene/beds/memory_bed.h"
 #include "scene/beds/nodata_height.h"
@@ -141,7 +142,7 @@ void apply_nodata_rule(const Scene& scene, Terrain& terrain) {
     terrain.nodata = {};
 }
 
-/// Divides each cell as bed.refine says, with heights between them by a bicubic.
+/// Divides each cell as bed.refine says, with heights between them as bed.refine_method says.
 void refine(const Scene& scene, Terrain& terrain) {
     const auto refinement = static_cast<int>(scene.bed.refine);
     if (refinement == 1) return;
@@ -153,8 +154,14 @@ void refine(const Scene& scene, Terrain& terrain) {
             "{}bed.refine is {}: {} x {} cells would become {}; at most {}", scene.at("bed.refine"),
             refinement, terrain.heights.nx(), terrain.heights.ny(), cells, largest_grid_cells));
     }
-    if (!terrain.nodata.empty()) extrapolate_outward(terrain.heights, terrain.nodata, 0.0);
-    terrain.heights = refined(terrain.heights, refinement);
+    if (scene.bed.refine_method == Refinement::spline) {
+        // A spline reaches farther than a few cells: no height may be foreign to the others.
+        if (!terrain.nodata.empty()) terrain.heights = fill_nodata(terrain.heights, terrain.nodata);
+        terrain.heights = spline_refined(terrain.heights, refinement);
+    } else {
+        if (!terrain.nodata.empty()) extrapolate_outward(terrain.heights, terrain.nodata, 0.0);
+        terrain.heights = refined(terrain.heights, refinement);
+    }
     terrain.nodata = refined(terrain.nodata, refinement);
     if (terrain.place) {
         terrain.place->dx /= refinement;

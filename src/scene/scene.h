@@ -29,6 +29,12 @@ struct GridSettings {
     WordOrReal height_unit{"auto", 0.0};  ///< metres per model height
 };
 
+/// How heights come onto the finer cells of bed.refine.
+enum class Refinement {
+    spline,   ///< natural bicubic spline: slope and curvature are continuous
+    bicubic,  ///< Catmull & Rom (1974): the slope is continuous
+};
+
 enum class BedKind { automatic, flat, noise, heap, file };
 
 struct BedSettings {
@@ -52,6 +58,7 @@ struct BedSettings {
     double resample = 0.0;  ///< file: size of the model's cells, metres; 0: the file's own cells
     Resampling resample_method = Resampling::average;
     std::int64_t refine = 1;  ///< file: cells along each side of one of its cells
+    Refinement refine_method = Refinement::spline;
 };
 
 struct RunSettings {

@@ -158,8 +158,15 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
         {.help = "how bed.resample finds heights"});
     table.integer("bed.refine", scene.bed.refine,
                   {.range = {1, 64},
-                   .help = "splits each cell of a terrain file into n x n, smooth in between "
-                           "(bicubic); grid.cell_size is that of the file's own cells"});
+                   .help = "splits each cell of a terrain file into n x n, smooth in between; "
+                           "grid.cell_size is that of the file's own cells"});
+    table.choice("bed.refine_method", scene.bed.refine_method,
+                 {{Refinement::spline, "spline",
+                   "natural bicubic spline: slope and curvature are continuous (Unser 1999)"},
+                  {Refinement::bicubic, "bicubic",
+                   "the slope alone is continuous (Catmull & Rom 1974): curvature jumps from cell "
+                   "to cell of the file, which running water picks up as rills along the grid"}},
+                 {.help = "how bed.refine finds heights", .earlier = {"0.3.0", "\"bicubic\""}});
 }
 
 void list_section_keys(SectionSettings& section, KeyTable& table) {

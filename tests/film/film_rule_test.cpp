@@ -121,6 +121,39 @@ INSTANTIATE_TEST_SUITE_P(Landforms, FilmByRule, ::testing::ValuesIn(small_runs),
                              return name;
                          });
 
+class RuledLook : public ::testing::Test {
+  protected:
+    [[nodiscard]] std::string film_of(const std::string& scene) const {
+        test::write_text(folder_ / "scene.toml", scene + stored);
+        const Ended ran =
+            fumon({"run", "scene.toml", "-o", "out", "--quiet", "--force"}, folder_.path());
+        EXPECT_EQ(ran.status, 0) << ran.errors;
+        return film_by_rule(FilmRuns({(folder_ / "out").string()}, 1), {FilmStyle::talk}, "out");
+    }
+
+    ScratchFolder folder_;
+};
+
+TEST_F(RuledLook, ASurveyStandsInLandAndKeepsATableThatItAsksFor) {
+    const std::string land = film_of(small_runs[5].scene);
+    for (const char* line : {"ground = \"endless\"", "cover = \"auto\"", "survey_edge = \"line\"",
+                             "clouds = \"cumulus\"", "distance = \"fit\""})
+        EXPECT_NE(land.find(line), std::string::npos) << line << "\n" << land;
+    const std::string model = film_of(std::string(small_runs[5].scene) +
+                                      "[look]\nlight = \"studio\"\nground = \"table\"\n");
+    EXPECT_EQ(model.find("ground ="), std::string::npos) << model;
+}
+
+TEST_F(RuledLook, AFloodIsFollowedAtItsFrontAsFastAsItsWaterChanges) {
+    const std::string flood = film_of(
+        "[model]\nname = \"water\"\ntime_step = 0.1\n[[water]]\nwindow = [0, 0, 20, 16]\ndepth = "
+        "3\n[grid]\nnx = 48\nny = 16\n[run]\nsteps = 60\n");
+    EXPECT_NE(flood.find("subject = \"flood front\""), std::string::npos) << flood;
+    EXPECT_NE(flood.find("follow = true"), std::string::npos) << flood;
+    EXPECT_NE(flood.find("pace = \"change\""), std::string::npos) << flood;
+    EXPECT_EQ(flood.find("endless"), std::string::npos) << flood;
+}
+
 class RuledRun : public ::testing::Test {
   protected:
     void SetUp() override {

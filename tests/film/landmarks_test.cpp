@@ -53,6 +53,20 @@ TEST(Landmarks, AreWhereTheyAreAtAnySizeOfGrid) {
     EXPECT_THROW(find_landmark("somewhere", land(8, 8)), std::invalid_argument);
 }
 
+TEST(Landmarks, AFloodFrontIsWhereTheDepthChangesAtOnce) {
+    Snapshot flood = land(64, 48);
+    EXPECT_EQ(find_landmark("flood front", flood).x, find_landmark("middle", flood).x) << "dry";
+    Grid depth(64, 48, 0.0);
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 40; ++x) depth(x, y) = 1.0 + 0.05 * (40 - x);  // and a long back
+    flood.fields.push_back({"water_depth", "depth", "m", depth});
+    const Landmark front = find_landmark("flood front", flood);
+    EXPECT_NEAR(front.x, 39.5, 0.2);
+    EXPECT_NEAR(front.y, 23.5, 0.1);
+    for (double& metres : flood.fields.back().values.values()) metres = 2.0;
+    EXPECT_EQ(find_landmark("flood front", flood).x, find_landmark("middle", flood).x) << "level";
+}
+
 TEST(Landmarks, TheLargestDuneIsTheHighestWhereNoneIsAlone) {
     Snapshot bed = land(64, 48);
     for (double& height : bed.bed.values()) height += 100.0;

@@ -7,9 +7,12 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "scene/read.h"
+#include "scene/text/scene_text.h"
 #include "support/temporary_folder.h"
 
 namespace fumon {
@@ -68,7 +71,9 @@ TEST_F(InitialBedTest, ARefinedTerrainKeepsItsPlaneItsMaskAndItsExtent) {
     }
     plane.close();
     const InitialBed initial =
-        make_initial_bed(scene("static", "[bed]\nfile = \"plane.asc\"\nrefine = 3\n"));
+        make_initial_bed(scene("static",
+                               "[bed]\nfile = \"plane.asc\"\nrefine = 3\nrefine_method = "
+                               "\"bicubic\"\n"));
     ASSERT_EQ(initial.bed.nx(), 21);
     ASSERT_EQ(initial.bed.ny(), 21);
     EXPECT_DOUBLE_EQ(initial.scale.dx, 2.0);
@@ -80,8 +85,31 @@ TEST_F(InitialBedTest, ARefinedTerrainKeepsItsPlaneItsMaskAndItsExtent) {
     EXPECT_EQ(initial.nodata(17, 2), 0);
     EXPECT_EQ(initial.nodata(18, 2), 1);
     EXPECT_EQ(initial.nodata(18, 3), 0);
+    const InitialBed spline =
+        make_initial_bed(scene("static", "[bed]\nfile = \"plane.asc\"\nrefine = 3\n"));
+    EXPECT_TRUE(std::ranges::equal(spline.nodata.values(), initial.nodata.values()));
+    for (int x = 0; x < 9; ++x)  // far from the cell without data, to the very edge
+        EXPECT_NEAR(spline.bed(x, 20), (x - 1) * 2.0 / 3.0 + 19 * 10.0 / 3.0, 1e-3);
+    EXPECT_NEAR(spline.bed(16, 1), initial.bed(16, 1), 3.0) << "nothing foreign comes in";
     EXPECT_NE(refusal("[bed]\nrefine = 3\n[grid]\nnx = 4\n").find("belongs to a terrain file"),
               std::string::npos);
+}
+
+TEST_F(InitialBedTest, OlderScenesAreRefinedAsTheyWere) {
+    const auto heights = [&](const char* version, const char* method) {
+        SceneText text{
+            "[model]\nname = \"static\"\n[bed]\nfile = \"bed.asc\"\nnodata = "
+            "\"fill\"\nrefine = 2\n" +
+                std::string(method),
+            "scene.toml", folder_};
+        text.version = version;
+        const InitialBed initial = make_initial_bed(parse_scene(text, {}));
+        return std::vector<double>(initial.bed.values().begin(), initial.bed.values().end());
+    };
+    const auto now = heights("0.3.0", "");
+    EXPECT_NE(heights("0.2.0", ""), now);
+    EXPECT_EQ(heights("0.2.0", ""), heights("0.3.0", "refine_method = \"bicubic\"\n"));
+    EXPECT_EQ(heights("0.2.0", "refine_method = \"spline\"\n"), now);
 }
 
 TEST_F(InitialBedTest, NoiseIsUniformInItsInterval) {

@@ -7,9 +7,11 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
+#include "base/snapshot_lookup.h"
 #include "files/unit_conversion.h"
 #include "film/camera/camera_path.h"
 #include "film/script/moment.h"
+#include "render/view/water.h"
 
 namespace fumon {
 
@@ -17,12 +19,14 @@ namespace {
 
 constexpr int sampled_cells_per_side = 256;  // cells along each side
 
-/// Lambert's light on a cell, 0 … 1.
-double light_on(const Snapshot& snapshot, int x, int y, int stride) {
+/// Lambert's light on a cell, 0 … 1: on its water, where it has some.
+double light_on(const Snapshot& snapshot, const Grid* depth, int x, int y, int stride) {
     const Grid& bed = snapshot.bed;
     const auto height = [&](int i, int j) {
-        return bed(std::clamp(i, 0, bed.nx() - 1), std::clamp(j, 0, bed.ny() - 1)) *
-               snapshot.scale.height_unit;
+        i = std::clamp(i, 0, bed.nx() - 1);
+        j = std::clamp(j, 0, bed.ny() - 1);
+        const double water = depth != nullptr ? (*depth)(i, j) : 0.0;
+        return bed(i, j) * snapshot.scale.height_unit + water;
     };
     const double east =
         (height(x + stride, y) - height(x - stride, y)) / (2.0 * stride * snapshot.scale.dx);
@@ -32,6 +36,11 @@ double light_on(const Snapshot& snapshot, int x, int y, int stride) {
     constexpr double up = 0.7071067811865476;
     return std::max(
         0.0, (level * east - level * north + up) / std::sqrt(1.0 + east * east + north * north));
+}
+
+/// How much of a cell water hides, 0 … 1.
+double hidden_by(double depth, double closed) {
+    return depth > 0.0 ? depth / (depth + closed) : 0.0;
 }
 
 double value_of(const StoredBed& bed, FilmClock clock) {
@@ -58,13 +67,27 @@ std::size_t stride_over(std::size_t beds, const Film& film) {
 
 double visible_change(const Snapshot& one, const Snapshot& other) {
     const int stride = std::max(1, std::max(one.bed.nx(), one.bed.ny()) / sampled_cells_per_side);
+    constexpr double of_water = 0.5;  // of light, between ground and water over it
+    const Grid* before = field_of(one.fields, "water_depth");
+    const Grid* after = field_of(other.fields, "water_depth");
+    if (before == nullptr || after == nullptr) before = after = nullptr;
+    const double closed = closed_depth(one.scale);
     double sum = 0.0;
     std::size_t count = 0;
     for (int y = 0; y < one.bed.ny(); y += stride) {
-        for (int x = 0; x < one.bed.nx(); x += stride, ++count)
-            sum += std::abs(light_on(one, x, y, stride) - light_on(other, x, y, stride));
+        for (int x = 0; x < one.bed.nx(); x += stride, ++count) {
+            sum += std::abs(light_on(one, before, x, y, stride) -
+                            light_on(other, after, x, y, stride));
+            if (before != nullptr)
+                sum += of_water * std::abs(hidden_by((*before)(x, y), closed) -
+                                           hidden_by((*after)(x, y), closed));
+        }
     }
     return sum / static_cast<double>(count);
+}
+
+std::shared_ptr<const Snapshot> bed_as_seen(const StoredBeds& beds, std::size_t number) {
+    return has_water(beds.first()) ? beds.snapshot(number) : beds.heights(number);
 }
 
 namespace {
@@ -157,7 +180,7 @@ BedClock::BedClock(const Film& film, std::size_t number, const StoredBeds& beds)
             const std::size_t next = std::min(i + stride, values.size() - 1);
             const double before = sum;
             if (values[next] >= low && values[i] <= high)
-                sum += visible_change(*beds.heights(i), *beds.heights(next));
+                sum += visible_change(*bed_as_seen(beds, i), *bed_as_seen(beds, next));
             for (const std::size_t first = i; i < next;) {
                 ++i;
                 const double share =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "film/beds/stored_beds.h"
@@ -9,8 +10,13 @@
 namespace fumon {
 
 /// How much one bed differs from another to the eye: the mean change of the light on it, of a sun
-/// at 45° over the north-west and of 1 at most.
+/// at 45° over the north-west and of 1 at most. Where both have water it is the light on the
+/// water's surface, and half of the change of what water hides of the ground (d / (d + c) of a
+/// depth d, c that of a closed sheet).
 double visible_change(const Snapshot& one, const Snapshot& other);
+
+/// A stored bed with all that visible_change() takes: with its water, where the run has some.
+std::shared_ptr<const Snapshot> bed_as_seen(const StoredBeds& beds, std::size_t number);
 
 /// How far apart, of so many beds in a row, those are that are read to place the camera and the
 /// clock: 1, or for a draft so far that some dozens are read.

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/snapshot_lookup.h"
 #include "measure/bed/dunes.h"
 #include "measure/network/flow_routing.h"
 
@@ -177,6 +178,43 @@ Landmark outlet(const Snapshot& bed) {
                             }));
 }
 
+Landmark middle(const Snapshot& bed) {
+    const double x = 0.5 * (bed.bed.nx() - 1);
+    const double y = 0.5 * (bed.bed.ny() - 1);
+    return {x, y, bed.bed(static_cast<int>(x), static_cast<int>(y)),
+            0.25 * std::min(bed.bed.nx(), bed.bed.ny())};
+}
+
+/// The mean place of cells, each weighed by the fourth power of how its depth changes there.
+Landmark flood_front(const Snapshot& bed) {
+    const Grid* depth = field_of(bed.fields, "water_depth");
+    if (depth == nullptr) return middle(bed);
+    const int nx = bed.bed.nx();
+    const int ny = bed.bed.ny();
+    double sum = 0.0;
+    double east = 0.0;
+    double north = 0.0;
+    for (int y = 0; y < ny; ++y) {
+        for (int x = 0; x < nx; ++x) {
+            const double along =
+                (*depth)(std::min(x + 1, nx - 1), y) - (*depth)(std::max(x - 1, 0), y);
+            const double across =
+                (*depth)(x, std::min(y + 1, ny - 1)) - (*depth)(x, std::max(y - 1, 0));
+            const double steep = along * along + across * across;
+            if (!(steep > 0.0)) continue;  // or the depth is not known there
+            const double weight = steep * steep;
+            sum += weight;
+            east += weight * x;
+            north += weight * y;
+        }
+    }
+    if (!(sum > 0.0)) return middle(bed);
+    const double x = east / sum;
+    const double y = north / sum;
+    return {x, y, bed.bed(static_cast<int>(x), static_cast<int>(y)),
+            side_share_of_breadth * longer_side(bed)};
+}
+
 }  // namespace
 
 Landmark find_landmark(const std::string& name, const Snapshot& bed) {
@@ -188,12 +226,8 @@ Landmark find_landmark(const std::string& name, const Snapshot& bed) {
         return landmark_of_cell(
             bed, largest_cell(bed, [&](std::size_t cell) { return -bed.bed.values()[cell]; }));
     }
-    if (name == "middle") {
-        const double x = 0.5 * (bed.bed.nx() - 1);
-        const double y = 0.5 * (bed.bed.ny() - 1);
-        return {x, y, bed.bed(static_cast<int>(x), static_cast<int>(y)),
-                0.25 * std::min(bed.bed.nx(), bed.bed.ny())};
-    }
+    if (name == "middle") return middle(bed);
+    if (name == "flood front") return flood_front(bed);
     throw std::invalid_argument("no landmark: " + name);
 }
 

@@ -28,6 +28,10 @@ struct Landmark {
 ///                    take two fifths of the bed at most, half way up; the highest where is none
 /// "outlet"           where the stream that drains most leaves the bed, the first of equals; an
 ///                    eighth of the longer side broad
+/// "flood front"      the mean place of the cells, each weighed by the fourth power of the change
+/// of
+///                    the water's depth across it: a front or bore; the middle without water; an
+///                    eighth of the longer side broad
 ///
 /// Of equal cells the first counts. Throws std::invalid_argument for another name.
 Landmark find_landmark(const std::string& name, const Snapshot& bed);

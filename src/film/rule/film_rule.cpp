@@ -129,6 +129,19 @@ class RuledFilm {
             text +=
                 "\n[look]\nground = \"endless\"      # sand to the horizon; without this line "
                 "the block on its table\n";
+        if (look_.land) text += land_settings();
+        return text;
+    }
+
+    /// Land around a survey, and what covers it.
+    [[nodiscard]] std::string land_settings() const {
+        const bool plain = runs_.first().scene().view.look.cover == LandCover::bare;
+        std::string text =
+            "\n[look]\nground = \"endless\"      # invented land around the survey; without this "
+            "line the block on its table\n";
+        if (plain) text += "cover = \"auto\"          # grass, soil and rock by rule, not data\n";
+        text += "survey_edge = \"line\"    # where the data end\ncontrast = 1.1\n";
+        if (look_.showery) text += "\n[air]\nclouds = \"cumulus\"\ncloud_cover = 0.6\n";
         return text;
     }
 
@@ -163,9 +176,7 @@ class RuledFilm {
         return shot;
     }
 
-    [[nodiscard]] std::string pace() const {
-        return look_.shaped && landform() != Landform::water ? "change" : "linear";
-    }
+    [[nodiscard]] std::string pace() const { return look_.shaped ? "change" : "linear"; }
 
     [[nodiscard]] double fade() const { return std::min(1.0, 0.05 * seconds_); }
     /// Of all shots: those of the film, and what cross-fades take of them.
@@ -183,8 +194,9 @@ class RuledFilm {
     /// On a table as the table allows; over the horizon so far that some waves of the bed, or a
     /// pile so many of its breadths away, are told apart.
     void stand(WrittenShot& shot, double waves, double breadths) const {
-        if (!look_.endless) {
-            shot.set("distance", look_.section ? "\"fit\"" : "\"fill\"");
+        if (!look_.endless || look_.land) {
+            const bool whole = look_.section || look_.land;
+            shot.set("distance", whole ? "\"fit\"" : "\"fill\"");
             return;
         }
         if (landform() == Landform::pile) {
@@ -242,14 +254,18 @@ class RuledFilm {
         const bool moves = look_.changes;
         const std::string early = moves ? fmt::format("\"{} %\"", look_.early) : "\"end\"";
         const std::string late = moves ? fmt::format("\"{} %\"", look_.late) : "\"end\"";
-        const std::string start = moves ? "\"start\"" : "\"end\"";
+        const std::string start = !moves            ? "\"end\""
+                                  : look_.begin > 0 ? fmt::format("\"{} %\"", look_.begin)
+                                                    : "\"start\"";
         const double azimuth = look_.camera_azimuth;
-        const double high = look_.section ? 18.0 : look_.endless ? 24.0 : 34.0;
-        const double low = look_.section ? 14.0 : look_.endless ? 11.0 : 30.0;
+        const bool sands = look_.endless && !look_.land;
+        const double high = look_.section ? 18.0 : sands ? 24.0 : 34.0;
+        const double low = look_.section ? 14.0 : sands ? 11.0 : look_.land ? 24.0 : 30.0;
 
         WrittenShot whole =
             begun(moves ? "the whole, as it begins" : "the whole", 0.26, start, early);
-        const bool from_map = style_.style == FilmStyle::survey || (!look_.endless && is_land());
+        const bool from_map =
+            style_.style == FilmStyle::survey || (!sands && is_land() && !look_.flood);
         if (from_map) {
             whole.set("move", "\"map-to-perspective\"");
             whole.set("azimuth", azimuth);
@@ -258,7 +274,12 @@ class RuledFilm {
             around(whole, azimuth - 12.0, high, 16.0);
         }
         stand(whole, 16.0, 2.4);
-        shots_.push_back(composed(whole, high));
+        if (look_.flood) {
+            whole.set("distance", "\"fit\"");
+            shots_.push_back(whole);
+        } else {
+            shots_.push_back(composed(whole, high));
+        }
 
         WrittenShot growth = begun(!moves               ? "and from its side"
                                    : pace() == "change" ? "it grows: as much change in each frame"
@@ -267,7 +288,14 @@ class RuledFilm {
         around(growth, azimuth - 4.0, low, 24.0);
         stand(growth, 11.0, 1.9);
         WrittenShot grown = composed(growth, low);
-        if (is_land() && !look_.endless) {
+        if (look_.flood) {
+            growth.comment = "with the front";
+            growth.set("subject", "\"flood front\"");
+            growth.set("follow", "true");
+            growth.set("distance", 0.55, 2);
+            growth.set("turn", 10.0);
+            grown = composed(growth, 24.0);
+        } else if (is_land() && !sands) {
             growth.set("subject", quoted_text(look_.largest));
             growth.set("distance", 0.62, 2);
             const WrittenShot nearer = composed(growth, low);
@@ -275,7 +303,8 @@ class RuledFilm {
         }
         shots_.push_back(grown);
 
-        shots_.push_back(close_shot(moves ? late : "\"end\""));
+        shots_.push_back(look_.flood && moves ? front_again(start, early)
+                                              : close_shot(moves ? late : "\"end\""));
 
         WrittenShot last =
             begun("time stands still, the camera goes round", 0.24, "\"end\"", "\"end\"");
@@ -286,9 +315,22 @@ class RuledFilm {
         shots_.push_back(composed(last, high - 2.0));
     }
 
+    /// A flood's first third once more, low beside its front.
+    [[nodiscard]] WrittenShot front_again(const std::string& start,
+                                          const std::string& early) const {
+        constexpr double low = 16.0;  // degrees
+        WrittenShot again = begun("its front again, from near", 0.2, start, early);
+        around(again, look_.camera_azimuth - 30.0, low, 25.0);
+        again.set("subject", "\"flood front\"");
+        again.set("follow", "true");
+        again.set("distance", 0.34, 2);
+        return composed(again, low);
+    }
+
     /// What is largest: followed where it wanders and can be, else as it is at the end.
     [[nodiscard]] WrittenShot close_shot(const std::string& from) const {
-        const double low = look_.endless ? 14.0 : 30.0;
+        const bool sands = look_.endless && !look_.land;
+        const double low = sands ? 14.0 : look_.land ? 22.0 : 30.0;
         if (look_.section) {
             WrittenShot near = begun("from near", 0.2, "\"end\"", "\"end\"");
             around(near, look_.camera_azimuth - 15.0, 12.0, 20.0);
@@ -301,7 +343,7 @@ class RuledFilm {
             around(shot, look_.camera_azimuth - 25.0, low, 40.0);
             stand(shot, 3.5, 1.7);
             shot.set("subject", quoted_text(look_.largest));
-            const bool crests = look_.endless && look_.largest == "highest";
+            const bool crests = sands && look_.largest == "highest";
             if (!crests) shot.set("distance", "\"near\"");
             return shot;
         };
@@ -331,7 +373,7 @@ class RuledFilm {
         WrittenShot round =
             begun("once round: the end is the beginning", 1.0, "\"end\"", "\"end\"");
         const double frames = std::max(2.0, std::round(30.0 * seconds_));
-        const double elevation = look_.endless ? 22.0 : 34.0;
+        const double elevation = look_.land ? 28.0 : look_.endless ? 22.0 : 34.0;
         around(round, look_.camera_azimuth, elevation, 0.0);
         round.set("turn", 360.0 * (frames - 1.0) / frames, 3);
         round.set("speed", "\"constant\"");

@@ -42,18 +42,27 @@ void find_pace(const StoredBeds& beds, RunLook& look) {
     std::vector<double> steps{static_cast<double>(beds.beds().front().step)};
     for (std::size_t i = 0; i + 1 < count; i += stride) {
         const std::size_t next = std::min(i + stride, count - 1);
-        sums.push_back(sums.back() + visible_change(*beds.heights(i), *beds.heights(next)));
+        sums.push_back(sums.back() +
+                       visible_change(*bed_as_seen(beds, i), *bed_as_seen(beds, next)));
         steps.push_back(static_cast<double>(beds.beds()[next].step));
     }
     look.shaped = sums.back() > least_change;
-    if (!look.shaped || beds.first().landform == Landform::water) return;
+    if (!look.shaped) return;
+    constexpr double start_alone =
+        0.2;  // of all change: rain begins, or water drains that lay there
+    const double start = sums[1] > start_alone * sums.back() && sums.size() > 8 ? sums[1] : 0.0;
+    if (start > 0.0) {
+        look.begin = static_cast<int>(
+            std::ceil(100.0 * (steps[1] - steps.front()) / (steps.back() - steps.front())));
+    }
     const auto share_at = [&](double part, int low, int high) {
-        const auto after = std::ranges::lower_bound(sums, part * sums.back()) - sums.begin();
+        const double wanted = start + part * (sums.back() - start);
+        const auto after = std::ranges::lower_bound(sums, wanted) - sums.begin();
         const double step = steps[static_cast<std::size_t>(after)];
         const double share = (step - steps.front()) / (steps.back() - steps.front());
         return std::clamp(static_cast<int>(std::lround(100.0 * share)), low, high);
     };
-    look.early = share_at(1.0 / 3.0, 5, 60);
+    look.early = share_at(1.0 / 3.0, look.begin + 5, 60);
     look.late = share_at(0.8, look.early + 10, 90);
 }
 
@@ -143,7 +152,7 @@ void find_light(const StoredBeds& beds, const Snapshot& last, RunLook& look) {
     if (blown_to) {
         look.sun_azimuth = std::fmod(azimuth_of(-blown_to->x, -blown_to->y) + past_the_wind, 360.0);
         look.camera_azimuth = std::fmod(look.sun_azimuth - wind_camera_azimuth + 360.0, 360.0);
-    } else if (!look.endless && !look.section && tilt > 0.1 * slopes.relief) {
+    } else if ((!look.endless || look.land) && !look.section && tilt > 0.1 * slopes.relief) {
         // On the low side, a little beside the middle of an edge: blocks fill the picture then.
         constexpr double beside = 20.0;
         const double down = azimuth_of(-slopes.mean_east, -slopes.mean_north);
@@ -222,6 +231,23 @@ void find_largest(const StoredBeds& beds, const Snapshot& last, RunLook& look) {
     }
 }
 
+/// Whether water stands deeper than its bed is uneven, as behind a dam.
+bool is_flood(const Snapshot& first) {
+    const Grid* depth = field_of(first.fields, "water_depth");
+    if (depth == nullptr) return false;
+    const auto [low, high] = std::ranges::minmax(first.bed.values());
+    const double deepest = *std::ranges::max_element(depth->values());
+    return deepest > (high - low) * first.scale.height_unit;
+}
+
+/// Land that is surveyed, and can be drawn in what goes on around it.
+bool is_surveyed_land(const StoredBeds& beds, const View& view) {
+    const Snapshot& first = beds.first();
+    const bool is_land = first.landform == Landform::terrain || first.landform == Landform::water;
+    return is_land && first.scale.in_metres && !beds.scene().bed.file.empty() &&
+           view.look.light != LightKind::studio && endless_ground_obstacle(view, first) == nullptr;
+}
+
 std::string title_of(const Scene& scene) {
     if (!scene.title.empty() || scene.bed.file.empty()) return scene.title;
     std::string name = std::filesystem::path(scene.bed.file).stem().string();
@@ -245,6 +271,12 @@ RunLook look_at_run(const StoredBeds& beds) {
     if (!look.endless && !look.section && has_no_land &&
         endless_ground_obstacle(view, first) == nullptr)
         look.endless = look.widened = true;
+    if (!look.endless && !look.section && is_surveyed_land(beds, view)) {
+        look.endless = look.land = true;
+        look.showery = first.rain != nullptr && view.air.clouds == Clouds::none &&
+                       first.rain(0.0, beds.beds().back().time)(0, 0) > 0.0;
+    }
+    look.flood = first.landform == Landform::water && !look.section && is_flood(first);
     find_pace(beds, look);
     const auto last = beds.heights(beds.beds().size() - 1);
     find_light(beds, *last, look);

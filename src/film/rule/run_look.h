@@ -11,11 +11,16 @@ namespace fumon {
 struct RunLook {
     bool changes = false;  ///< more than one bed is stored
     bool shaped = false;   ///< the bed itself changes to the eye
-    int early = 30;        ///< per cent of the stored steps, by which a third of the change is over
-    int late = 80;         ///< likewise, four fifths of it
-    bool endless = false;  ///< its ground is drawn to the horizon
-    bool widened = false;  ///< which its own scene does not ask for
-    bool section = false;  ///< air over a profile
+    int begin = 0;   ///< per cent of the stored steps: where water lies that is there at first
+                     ///< alone, past that
+    int early = 30;  ///< per cent of the stored steps, by which a third of the change is over
+    int late = 80;   ///< likewise, four fifths of it
+    bool endless = false;           ///< its ground is drawn to the horizon
+    bool widened = false;           ///< which its own scene does not ask for
+    bool land = false;              ///< as a survey is, which stands on a table in its own scene
+    bool showery = false;           ///< it rains on that land, and its own scene has no clouds
+    bool flood = false;             ///< water deeper than the relief of its bed
+    bool section = false;           ///< air over a profile
     double camera_azimuth = 205.0;  ///< degrees
     double sun_azimuth = 285.0;     ///< degrees, across the relief
     double sun_elevation = 16.0;    ///< degrees

@@ -121,6 +121,7 @@ std::vector<KeyWord> place_words() {
             {"highest", "the highest landform, half way up"},
             {"lowest", "the lowest cell"},
             {"deepest channel", "the cell that lies deepest below the ground around it"},
+            {"flood front", "where the depth of water changes most at once: a front or a bore"},
             {"largest dune", "the isolated dune with most sand; where none is, the highest"},
             {"outlet", "where the stream that drains most leaves the bed"}};
 }

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/state_archive.h"
 #include "base/worker_pool.h"
+#include "models/shared/two_cell_pattern.h"
 #include "models/shared/unstable.h"
 #include "models/water/kernels/fault_vectors.h"
 #include "models/water/shallow_water.h"
@@ -339,7 +340,8 @@ std::string Gully::plausibility_warning() const {
     constexpr double least = 1.0;               // m
     constexpr double plausible = 1.0 / 3600.0;  // m/s: a flood in loose ground
     const double expected = std::max(least, plausible * time());
-    if (!(largest_difference(bed_, first_bed_, pool_) > expected)) return {};
+    const double largest = largest_difference(bed_, first_bed_, pool_);
+    if (!(largest > expected)) return furrow_warning(largest);
     double most = 0.0;
     std::size_t where = 0;
     for (std::size_t cell = 0; cell < bed_.size(); ++cell) {
@@ -362,6 +364,25 @@ std::string Gully::plausibility_warning() const {
         "a flood in loose ground cuts about 1: take {}",
         most < 0.0 ? "sank by" : "rose by", std::fabs(most), where % nx, where / nx, time(), rate,
         remedy);
+}
+
+std::string Gully::furrow_warning(double largest) const {
+    constexpr double seen = 0.005;        // m
+    constexpr double least_share = 0.02;  // of the cells that have changed
+    if (!(largest > seen)) return {};
+    Grid change = bed_;
+    for (std::size_t cell = 0; cell < change.size(); ++cell)
+        change.values()[cell] -= first_bed_.values()[cell];
+    const TwoCellPattern furrows = two_cell_pattern(change);
+    if (!(furrows.share > least_share)) return {};
+    const auto nx = static_cast<std::size_t>(bed_.nx());
+    return fmt::format(
+        "the bed has furrows of two cells ({:.0f} % of what has changed, deepest at cell ({}, "
+        "{})), "
+        "which are the grid's and not the water's: take more model.bed_diffusion, some times the "
+        "{:g} m^2/s of this run, or a smaller model.transport_factor",
+        100.0 * furrows.share, furrows.cell % nx, furrows.cell / nx,
+        parameters_.bed_diffusion.value);
 }
 
 std::vector<StateField> Gully::state() const {

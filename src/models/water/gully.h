@@ -47,12 +47,15 @@ class Gully : public Model {
     }
     [[nodiscard]] std::string_view time_unit() const override { return "s"; }
     [[nodiscard]] Snapshot snapshot() const override;
-    /// On a terrain file: where the bed has changed by over a metre, faster than a metre an hour.
+    /// On a terrain file: where the bed has changed by over a metre, faster than a metre an hour;
+    /// and where over 2 % of its change is furrows of two cells (two_cell_pattern()), deeper
+    /// than 5 mm.
     [[nodiscard]] std::string plausibility_warning() const override;
     [[nodiscard]] std::vector<StateField> state() const override;
     void serialise(StateArchive& archive) override;
 
   private:
+    [[nodiscard]] std::string furrow_warning(double largest) const;
     Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool);
 
     void sub_step(double dt, double& elapsed);

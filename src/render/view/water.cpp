@@ -134,10 +134,35 @@ Mask grown(const Mask& mask) {
     return result;
 }
 
+/// The level of streams, water that is at least `closes` deep, and of what lies beside them: the
+/// mean of the streams near by; the ground itself elsewhere.
+Field<float> stream_levels(const Field<float>& ground, const Field<float>& level, float closes) {
+    Mask none(ground.nx(), ground.ny());
+    for (std::size_t i = 0; i < none.size(); ++i)
+        none.values()[i] = level.values()[i] - ground.values()[i] < closes ? 1 : 0;
+    constexpr float unreached = -1e30F;
+    Field<float> levels = level;
+    extrapolate_outward(levels, none, unreached);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        if (levels.values()[i] == unreached) levels.values()[i] = ground.values()[i];
+    }
+    return levels;
+}
+
+/// 0 … 1: how much of a stream's film is left out where the ground stands so high over the stream,
+/// in cells. Between the middles of cells, a film that followed the ground would climb its banks,
+/// as a row of shards along a channel one cell wide.
+float climbed(float climb) {
+    constexpr float begins = 0.04F;
+    constexpr float ends = 0.16F;
+    const float share = std::clamp((climb - begins) / (ends - begins), 0.0F, 1.0F);
+    return share * share * (3.0F - 2.0F * share);
+}
+
 /// The depth on a display bed's cells. Water that lies level ends where its level meets the ground
-/// between the cells, so that it does not climb its banks; on slopes it follows the ground. Banks
-/// have the depth to which the level lies below them, so that between cells of both a shore is
-/// where the level meets the ground.
+/// between the cells, so that it does not climb its banks; on slopes it follows the ground, but
+/// not up the banks of a stream. Banks have the depth to which the level lies below them, so that
+/// between cells of both a shore is where the level meets the ground.
 Field<float> shown_depths(const Snapshot& snapshot, const Mask& dry, const Mask& sloping,
                           int refinement) {
     const Grid& depth = values_of(snapshot, "water_depth");
@@ -175,10 +200,16 @@ Field<float> shown_depths(const Snapshot& snapshot, const Mask& dry, const Mask&
     Field<float> shown = refined(lake, refinement);
     const Field<float> below = refined(ground, refinement);
     const Field<float> films = refined(film, refinement);
+    for (float& water : film.values()) water = std::min(water, closes);
+    const Field<float> thin = refined(film, refinement);
+    const Field<float> streams = refined(stream_levels(ground, level, closes), refinement);
+    const auto dx = static_cast<float>(snapshot.scale.dx);
     const Mask near_lake = refined(grown(sloping), refinement);
     const auto highest = static_cast<float>(deepest_bank * snapshot.scale.dx);
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        const float wets = std::max(films.values()[i], 0.0F);
+        const float climb = (below.values()[i] - streams.values()[i]) / dx;
+        const float wets =
+            std::max({films.values()[i] * (1.0F - climbed(climb)), thin.values()[i], 0.0F});
         if (near_lake.values()[i] == 0) {
             shown.values()[i] = wets;
             continue;

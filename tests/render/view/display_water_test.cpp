@@ -40,6 +40,27 @@ TEST(DisplayWater, LiesLevelAcrossAChannelOfOneCell) {
     EXPECT_NEAR(sheet.slope_x(0, 10), 0.3F, 1e-5F);
 }
 
+TEST(DisplayWater, AStreamDoesNotClimbItsBanksBetweenCells) {
+    // A channel of one cell that falls by 0.2 a cell, two centimetres deep, between walls of 1.2.
+    constexpr int finer = 8;
+    Snapshot valley = under_water(flat_bed(21, 40), 0.0, 0.0);
+    for (int y = 0; y < 40; ++y) {
+        for (int x = 0; x < 21; ++x)
+            valley.bed(x, y) = 0.2 * y + 1.2 * std::min(1, std::abs(x - 10));
+        valley.fields[0].values(10, y) = 0.02;
+    }
+    const DisplayWater water = display_water(valley, finer);
+    const float closes = static_cast<float>(closed_depth(valley.scale));
+    int widest = 0;
+    for (int y = 10 * finer; y < 30 * finer; ++y) {
+        int width = 0;
+        for (int x = 8 * finer; x < 13 * finer; ++x) width += water.depth(x, y) > closes ? 1 : 0;
+        widest = std::max(widest, width);
+        EXPECT_GT(water.depth(10 * finer + finer / 2, y), closes) << "unbroken, at row " << y;
+    }
+    EXPECT_LE(widest, finer * 3 / 4) << "of a cell, not up the walls";
+}
+
 TEST(DisplayWater, EndsWhereItsLevelMeetsTheGround) {
     // A pond to level 1.6 before a bank of 45 degrees, on which there is a film of half a
     // millimetre.
