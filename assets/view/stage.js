@@ -1,6 +1,6 @@
 // The picture: a draft while something moves, one at a time, then the whole.
 import { post } from "./server.js";
-import { follow, state, value, wish } from "./state.js";
+import { follow, state, value, pictureRequest } from "./state.js";
 
 const stage = document.getElementById("stage");
 const picture = document.getElementById("picture");
@@ -51,7 +51,7 @@ async function drawWhole() {
   const of = version;
   stage.setAttribute("aria-busy", "true");
   try {
-    const response = await post("picture", { ...wish(), ...wholeSize() });
+    const response = await post("picture", { ...pictureRequest(), ...wholeSize() });
     if (of !== version) return;
     if (response) await show(response, "whole");
     else later();
@@ -73,7 +73,7 @@ async function draft() {
   while (drawn !== version) {
     drawn = version;
     try {
-      const response = await post("picture", { ...wish(), draft: true, width: 640, height: 360 });
+      const response = await post("picture", { ...pictureRequest(), draft: true, width: 640, height: 360 });
       if (response) await show(response, "draft");
       else later();
     } catch (refusal) {

@@ -59,6 +59,6 @@ export function settings(more = {}) {
 }
 
 /** What a picture of the present is asked for by. */
-export function wish() {
+export function pictureRequest() {
   return { settings: settings(), moment: state.moment, eye: state.place?.eye ?? null, target: state.place?.target ?? null };
 }

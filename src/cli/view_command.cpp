@@ -85,6 +85,13 @@ std::unique_ptr<ViewSubject> subject_of(const ViewArguments& arguments) {
         if (is_unfinished_run(*run)) return followed_subject(*run, work.threads, work.settings);
         return stored_subject(*run, work.threads, work.settings);
     }
+    std::error_code fault;
+    if (fs::is_directory(arguments.input, fault)) {
+        throw InputError(
+            fmt::format("{}: the folder holds no run (run.json); name the folder that `fumon run "
+                        "-o` was given, a scene or terrain",
+                        arguments.input));
+    }
     const bool scenic = is_scene_argument(arguments.input);
     if (scenic && !arguments.heights.empty())
         throw InputError("--heights belongs to a PNG terrain; in a scene write bed.heights");

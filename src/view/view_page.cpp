@@ -13,8 +13,8 @@
 #include "scene/json.h"
 #include "view/page_files.h"
 #include "view/page_film.h"
+#include "view/page_request.h"
 #include "view/page_saving.h"
-#include "view/page_wish.h"
 
 namespace fumon {
 
@@ -137,15 +137,15 @@ HttpAnswer ViewPage::measurements_answer() const {
 }
 
 HttpAnswer ViewPage::picture_answer(const HttpRequest& request) {
-    DrawnPicture picture = pictures_.draw(wish_in(body_json(request)));
+    DrawnPicture picture = pictures_.draw(picture_request_in(body_json(request)));
     switch (picture.outcome) {
-        case WishOutcome::superseded:
+        case RequestOutcome::superseded:
             return plain(conflict, "a newer picture is wanted");
-        case WishOutcome::too_many:
+        case RequestOutcome::too_many:
             return plain(too_many_requests, "too many pictures are wanted");
-        case WishOutcome::computing:
+        case RequestOutcome::computing:
             return plain(accepted, "it is being computed");
-        case WishOutcome::drawn:
+        case RequestOutcome::drawn:
             break;
     }
     HttpAnswer answer;
@@ -158,10 +158,10 @@ HttpAnswer ViewPage::picture_answer(const HttpRequest& request) {
 }
 
 HttpAnswer ViewPage::camera_answer(const HttpRequest& request) const {
-    const PictureWish wish = wish_in(body_json(request));
-    const std::shared_ptr<const Snapshot> snapshot = subject_.snapshot(wish.moment);
+    const PictureRequest wanted = picture_request_in(body_json(request));
+    const std::shared_ptr<const Snapshot> snapshot = subject_.snapshot(wanted.moment);
     if (!snapshot) return plain(accepted, "it is being computed");
-    const PictureThread::Settled settled = pictures_.settled(wish, *snapshot);
+    const PictureThread::Settled settled = pictures_.settled(wanted, *snapshot);
     const CameraFacts facts = camera_facts(settled.scene, subject_.first(), *snapshot);
     return json_answer({{"eye", facts.place.eye},
                         {"target", facts.place.target},
@@ -186,12 +186,12 @@ HttpAnswer ViewPage::check_answer(const HttpRequest& request) const {
 HttpAnswer ViewPage::still_answer(const HttpRequest& request) {
     const Json asked = body_json(request);
     const std::string name = saved_name(name_in(asked, "still.png"), still_endings);
-    PictureWish wish = wish_in(asked);
-    wish.client += " saves";
-    wish.draft = false;
-    wish.ending = small_ending(name);
-    DrawnPicture picture = pictures_.draw(std::move(wish));
-    if (picture.outcome != WishOutcome::drawn)
+    PictureRequest wanted = picture_request_in(asked);
+    wanted.client += " saves";
+    wanted.draft = false;
+    wanted.ending = small_ending(name);
+    DrawnPicture picture = pictures_.draw(std::move(wanted));
+    if (picture.outcome != RequestOutcome::drawn)
         return plain(conflict, "the picture is not there yet; try again");
     return saved(options_, subject_, name, picture.type, std::move(picture.bytes));
 }

@@ -16,11 +16,11 @@ namespace fumon {
 ///     GET subject           what is shown, and the keys that may change, as JSON
 ///     GET progress          its moments, and what is being computed
 ///     GET measurements      columns of numbers
-///     POST picture          a wish as JSON → a draft or picture
-///     POST camera           a wish → where its camera stands
+///     POST picture          a picture request as JSON → a draft or picture
+///     POST camera           a picture request → where its camera stands
 ///     POST check            {settings} → nothing, or the fault that `fumon check` would tell
 ///     POST scene            {settings, name} → the scene's file
-///     POST still            a wish with a name → its file
+///     POST still            a picture request with a name → its file
 ///     POST film             {shots, settings, name} → the film's file
 ///
 /// A file goes into the folder of --save where there is one, else to the browser.

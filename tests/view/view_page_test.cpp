@@ -68,9 +68,9 @@ class GatedSubject : public ViewSubject {
 };
 
 /// Asks until it is computed.
-HttpAnswer drawn(ViewPage& page, const json& wish) {
+HttpAnswer drawn(ViewPage& page, const json& request) {
     for (;;) {
-        HttpAnswer answer = post(page, "picture", wish);
+        HttpAnswer answer = post(page, "picture", request);
         if (answer.status != 202) return answer;
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
@@ -148,19 +148,19 @@ TEST(ViewPage, DraftsAreSmallAndFollowTheCamera) {
     EXPECT_TRUE(first.body == again.body);
 }
 
-TEST(ViewPage, OneWishOfAClientIsDrawn) {
+TEST(ViewPage, OneRequestOfAClientIsDrawn) {
     GatedSubject subject;
     ViewPage page(subject, {});
     std::thread busy([&] { post(page, "picture", {{"client", "a"}, {"moment", 1}}); });
     subject.asked.wait();
     std::array<int, 2> statuses{};
     std::counting_semaphore<2> answered(0);
-    const auto wish = [&](int& status) {
+    const auto request = [&](int& status) {
         status = post(page, "picture", {{"client", "b"}}).status;
         answered.release();
     };
-    std::thread one(wish, std::ref(statuses[0]));
-    std::thread other(wish, std::ref(statuses[1]));
+    std::thread one(request, std::ref(statuses[0]));
+    std::thread other(request, std::ref(statuses[1]));
     EXPECT_TRUE(answered.try_acquire_for(std::chrono::seconds(30)));  // the older one, undrawn
     subject.open.count_down();
     for (std::thread* thread : {&busy, &one, &other}) thread->join();
