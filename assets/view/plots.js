@@ -93,6 +93,6 @@ export function start() {
     if (name && !chosen.includes(name)) chosen.unshift(name);
     show();
   });
-  follow((what) => what === "moment" && show());
+  follow((what) => (what === "moment" || what === "newest") && show());
   load();
 }

@@ -1,6 +1,6 @@
 // What the page asks of the program that serves it.
 
-const client = crypto.getRandomValues(new Uint32Array(2)).join("-");
+export const client = crypto.getRandomValues(new Uint32Array(2)).join("-");
 
 export class Refusal extends Error {}
 
@@ -11,13 +11,18 @@ async function answered(response) {
 }
 
 async function asked(path, options) {
+  return answered(await ask(path, options));
+}
+
+/** The response as it is. */
+export async function ask(path, options) {
   let response;
   try {
     response = await fetch(path, options);
   } catch {
     throw new Refusal("fumon does not answer: it has ended, or the line to it is cut");
   }
-  return answered(response);
+  return response;
 }
 
 export async function get(path) {

@@ -12,6 +12,7 @@ let version = 0;   // of what is wanted
 let drawn = 0;     // of the last draft
 let drafting = false;
 let whole = null;  // the timer
+let wantsWhole = true;
 let waits = null;  // for what is being computed
 let camera = [];   // settings of the place that is shown
 
@@ -64,7 +65,7 @@ async function drawWhole() {
 
 function later() {
   clearTimeout(waits);
-  waits = setTimeout(refresh, 400);
+  waits = setTimeout(() => refresh(!wantsWhole), 400);
 }
 
 async function draft() {
@@ -83,18 +84,19 @@ async function draft() {
   }
   drafting = false;
   clearTimeout(whole);
-  whole = setTimeout(drawWhole, rest);
+  if (wantsWhole) whole = setTimeout(drawWhole, rest);
 }
 
-/** Something is to be seen otherwise. */
-export function refresh() {
+/** Something is to be seen otherwise. `onlyDraft`: the whole picture would hold up what is computed. */
+export function refresh(onlyDraft = false) {
   ++version;
+  wantsWhole = !onlyDraft;
   clearTimeout(whole);
   draft();
 }
 
 export function start() {
-  follow((what) => what !== "progress" && refresh());
+  follow((what) => what !== "progress" && refresh(what === "newest"));
   let resized = null;
   new ResizeObserver(() => {
     clearTimeout(resized);

@@ -6,6 +6,7 @@ export const state = {
   changes: new Map(),  // path → value as TOML
   place: null,         // {eye, target} where the camera stands freely
   moment: 0,
+  live: false,         // the program that serves the page computes what is shown
 };
 
 const past = [];

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -27,10 +26,12 @@
 #include "scene/read.h"
 #include "scene/scene_files.h"
 #include "scene/terrain_scene.h"
+#include "view/server/address_lines.h"
 #include "view/server/http_server.h"
 #include "view/subject/computed_subject.h"
 #include "view/subject/followed_subject.h"
 #include "view/subject/stored_subject.h"
+#include "view/sweep/sweep_pages.h"
 #include "view/view_page.h"
 
 namespace fumon {
@@ -50,7 +51,7 @@ struct ViewArguments {
 void declare(CLI::App& command, ViewArguments& arguments) {
     command
         .add_option("INPUT", arguments.input,
-                    "a scene (.toml), the folder of a run, finished or not, or terrain: " +
+                    "a scene (.toml), the folder of a run or sweep, finished or not, or terrain: " +
                         terrain_titles())
         ->required();
     add_number(command, "--port", arguments.port, 0, 65535,
@@ -70,6 +71,7 @@ void declare(CLI::App& command, ViewArguments& arguments) {
     add_examples(command,
                  {{"fumon view terada-barchans", "a scene, computed as far as you look"},
                   {"fumon view out/run", "the stored beds of a run, also while it goes on"},
+                  {"fumon view out/creep", "the runs of a sweep, as a grid"},
                   {"fumon view terrain.asc --save pictures", "a terrain file of your own"}},
                  "It prints an address of this machine for your browser, and ends with Ctrl-C. "
                  "Nobody\nwithout that address sees or changes anything. Of a server the line "
@@ -87,10 +89,10 @@ std::unique_ptr<ViewSubject> subject_of(const ViewArguments& arguments) {
     }
     std::error_code fault;
     if (fs::is_directory(arguments.input, fault)) {
-        throw InputError(
-            fmt::format("{}: the folder holds no run (run.json); name the folder that `fumon run "
-                        "-o` was given, a scene or terrain",
-                        arguments.input));
+        throw InputError(fmt::format(
+            "{}: the folder holds no run (run.json) and no sweep (sweep.json); name the "
+            "folder that `fumon run -o` was given, a scene or terrain",
+            arguments.input));
     }
     const bool scenic = is_scene_argument(arguments.input);
     if (scenic && !arguments.heights.empty())
@@ -106,17 +108,16 @@ std::unique_ptr<ViewSubject> subject_of(const ViewArguments& arguments) {
     return computed_subject(arguments.input, std::move(run), std::move(files));
 }
 
-/// The address, and the line that brings it to the machine of who is logged in from elsewhere.
-void tell(const HttpServer& server) {
-    std::string text = server.address() + "\n";
-    constexpr std::size_t longest = 256;
-    char host[longest] = {};
-    if (gethostname(host, longest - 1) == 0) {
-        text += fmt::format("from another machine: ssh -L {0}:127.0.0.1:{0} {1}\n", server.port(),
-                            host);
+std::unique_ptr<Pages> pages_of(const ViewArguments& arguments, const ViewOptions& options) {
+    if (!is_sweep_folder(arguments.input))
+        return std::make_unique<SubjectPages>(subject_of(arguments), options);
+    if (!arguments.heights.empty() || !options.work.settings.empty()) {
+        throw InputError(
+            fmt::format("{}: --heights and --set belong to a scene, a run or terrain, not to a "
+                        "sweep",
+                        arguments.input));
     }
-    std::fputs(text.c_str(), stdout);
-    std::fflush(stdout);
+    return std::make_unique<SweepPages>(arguments.input, options);
 }
 
 int perform(const ViewArguments& arguments) {
@@ -127,7 +128,7 @@ int perform(const ViewArguments& arguments) {
         check_output_folder(options.save, "what the page saves");
     }
     prepare_drawing(options.work);
-    const std::unique_ptr<ViewSubject> subject = subject_of(arguments);
+    const std::unique_ptr<Pages> pages = pages_of(arguments, options);
     if (!options.save.empty()) {
         std::error_code fault;
         fs::create_directories(options.save, fault);
@@ -135,12 +136,12 @@ int perform(const ViewArguments& arguments) {
             throw Error(fmt::format("cannot make the folder {}: {}", options.save.string(),
                                     fault.message()));
     }
-    ViewPage page(*subject, options);
-    const HttpServer server([&](const HttpRequest& request) { return page.answer(request); },
+    const HttpServer server([&](const HttpRequest& request) { return pages->answer(request); },
                             arguments.port);
-    tell(server);
+    std::fputs(address_lines(server).c_str(), stdout);
+    std::fflush(stdout);
     while (interrupting_signal() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    page.cancel_all();
+    pages->cancel_all();
     return 0;
 }
 

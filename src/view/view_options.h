@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "run/terminal/job_watch.h"
 #include "run/terminal/work_options.h"
 
 namespace fumon {
@@ -12,6 +13,7 @@ struct ViewOptions {
     bool trust = false;          ///< pictures of any size
     bool force = false;          ///< files of others in that folder are replaced
     WorkOptions work{};
+    JobWatch* watch = nullptr;  ///< of the run that this program computes; nullptr: none
 };
 
 }  // namespace fumon

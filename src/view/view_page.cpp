@@ -38,13 +38,6 @@ HttpAnswer json_answer(const Json& json) {
     return answer;
 }
 
-HttpAnswer plain(int status, const std::string& text) {
-    HttpAnswer answer;
-    answer.status = status;
-    answer.body = text;
-    return answer;
-}
-
 Json moments_json(const std::vector<ShownMoment>& moments) {
     Json list = Json::array();
     for (const ShownMoment& moment : moments)
@@ -80,7 +73,7 @@ HttpAnswer ViewPage::answer(const HttpRequest& request) {
         if (path == "film") return film_answer(request);
         if (path == "check") return check_answer(request);
     }
-    return plain(not_found, "no such page");
+    return plain_answer(not_found, "no such page");
 }
 
 HttpAnswer ViewPage::subject_answer() const {
@@ -102,6 +95,7 @@ HttpAnswer ViewPage::subject_answer() const {
     json["flat"] = first.section && scene.view.look.mode == ViewMode::figure;
     json["saves"] = !options_.save.empty();
     json["folder"] = options_.save.string();
+    json["job"] = options_.watch != nullptr;
     json["state"] = subject_.work().state;
     json["moments"] = moments_json(subject_.moments());
     json["keys"] = changes_.keys();
@@ -140,14 +134,15 @@ HttpAnswer ViewPage::picture_answer(const HttpRequest& request) {
     DrawnPicture picture = pictures_.draw(picture_request_in(body_json(request)));
     switch (picture.outcome) {
         case RequestOutcome::superseded:
-            return plain(conflict, "a newer picture is wanted");
+            return plain_answer(conflict, "a newer picture is wanted");
         case RequestOutcome::too_many:
-            return plain(too_many_requests, "too many pictures are wanted");
+            return plain_answer(too_many_requests, "too many pictures are wanted");
         case RequestOutcome::computing:
-            return plain(accepted, "it is being computed");
+            return plain_answer(accepted, "it is being computed");
         case RequestOutcome::drawn:
             break;
     }
+    if (options_.watch != nullptr) options_.watch->spend(picture.seconds);
     HttpAnswer answer;
     answer.type = picture.type;
     answer.body = std::move(picture.bytes);
@@ -160,7 +155,7 @@ HttpAnswer ViewPage::picture_answer(const HttpRequest& request) {
 HttpAnswer ViewPage::camera_answer(const HttpRequest& request) const {
     const PictureRequest wanted = picture_request_in(body_json(request));
     const std::shared_ptr<const Snapshot> snapshot = subject_.snapshot(wanted.moment);
-    if (!snapshot) return plain(accepted, "it is being computed");
+    if (!snapshot) return plain_answer(accepted, "it is being computed");
     const PictureThread::Settled settled = pictures_.settled(wanted, *snapshot);
     const CameraFacts facts = camera_facts(settled.scene, subject_.first(), *snapshot);
     return json_answer({{"eye", facts.place.eye},
@@ -192,7 +187,7 @@ HttpAnswer ViewPage::still_answer(const HttpRequest& request) {
     wanted.ending = small_ending(name);
     DrawnPicture picture = pictures_.draw(std::move(wanted));
     if (picture.outcome != RequestOutcome::drawn)
-        return plain(conflict, "the picture is not there yet; try again");
+        return plain_answer(conflict, "the picture is not there yet; try again");
     return saved(options_, subject_, name, picture.type, std::move(picture.bytes));
 }
 

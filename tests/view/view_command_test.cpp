@@ -45,7 +45,7 @@ TEST(ViewCommand, RefusesWhatItCannotShow) {
               2);
     const test::Ended empty = test::fumon({"view", "."}, folder.path());
     EXPECT_EQ(empty.status, 2);
-    EXPECT_TRUE(contains(empty.errors, ".: the folder holds no run (run.json); name"))
+    EXPECT_TRUE(contains(empty.errors, ".: the folder holds no run (run.json) and no sweep"))
         << empty.errors;
     write_text(folder / "file", "x");
     EXPECT_EQ(test::fumon({"view", "terada-barchans", "--save", "file"}, folder.path()).status, 2);
