@@ -35,6 +35,10 @@ export function post(path, body) {
   return asked(path, { method: "POST", body: JSON.stringify({ client, ...body }) });
 }
 
+export async function postForJson(path, body) {
+  return (await post(path, body)).json();
+}
+
 /** Saves by the program, or hands the file to the browser; says where it is. */
 export async function save(path, body) {
   const response = await post(path, body);

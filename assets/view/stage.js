@@ -102,5 +102,5 @@ export function start() {
     clearTimeout(resized);
     resized = setTimeout(() => { if (!drafting) drawWhole(); }, 400);
   }).observe(stage);
-  refresh();
+  refresh(state.live);
 }

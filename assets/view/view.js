@@ -2,11 +2,13 @@
 import * as camera from "./camera.js";
 import * as plots from "./plots.js";
 import * as job from "./job.js";
-import { get } from "./server.js";
+import * as presets from "./presets.js";
+import { get, postForJson } from "./server.js";
 import * as settings from "./settings.js";
 import * as stage from "./stage.js";
-import { follow, state, tell } from "./state.js";
+import { follow, settings as changed, state, tell } from "./state.js";
 import * as take from "./take.js";
+import * as terrain from "./terrain.js";
 
 const at = (id) => document.getElementById(id);
 const playing = "M4 3h3v10H4zM9 3h3v10H9z";
@@ -79,11 +81,15 @@ async function loadPlots() {
   plotsPause = Math.max(3000, 100 * (plotsLoaded - now));
 }
 
+const modelOf = () => [...state.changes].filter(([path]) => path.startsWith("model.")).map(String).sort().join();
+let shownModel = "";
+
 async function watch() {
   const changing = ["computing", "computed", "running", "interrupted", "unknown"];
-  if (!changing.includes(state.subject.state)) return;
+  if (ended || !changing.includes(state.subject.state)) return;
   try {
-    const progress = await get("progress");
+    const model = modelOf();
+    const progress = await postForJson("progress", { settings: changed() });
     const was = state.subject.moments;
     const more = progress.moments.length !== was.length || progress.moments.some((one, i) => one.ready !== was[i].ready || one.step !== was[i].step);
     const step = was[state.moment].step;
@@ -95,7 +101,12 @@ async function watch() {
       if (progress.moments.at(-1).step > step && atEnd && !plays) go(progress.moments.length - 1, state.live ? "newest" : "moment");
       showTime();
     }
-    if (more || progress.state === "running") loadPlots();
+    if (more && !state.live) plots.load();
+    else if (more || progress.state === "running") loadPlots();
+    if (model !== shownModel) {  // other values of the model: another run
+      shownModel = model;
+      plots.load();
+    }
     if (ended) return;
     setTimeout(watch, progress.state === "computed" ? 700 : 1000);
   } catch (refusal) {
@@ -159,12 +170,16 @@ async function start() {
   const { nx, ny, dx, unit } = subject.grid;
   at("title").textContent = subject.title || subject.name;
   at("facts").textContent = `${subject.model}, ${nx} × ${ny} cells${unit === "m" ? ` of ${rounded(dx)} m` : ""}`;
+  if (subject.title && subject.title !== subject.name) at("facts").textContent = `${subject.name}: ${at("facts").textContent}`;
+  if (/\/run\/\d+\/$/.test(location.pathname)) at("facts").append(" ", Object.assign(document.createElement("a"), { href: "../../", textContent: "all runs" }));
   document.title = `${subject.title || subject.name} – fumon view`;
   if (subject.job) watchJob();
   tabs();
   times();
   showTime();
   settings.start();
+  presets.start();
+  terrain.start();
   take.start();
   plots.start();
   camera.start();

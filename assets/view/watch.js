@@ -1,6 +1,6 @@
 // The window of a job without a ground of its own, and of a sweep: the grid of its runs.
 import * as job from "./job.js";
-import { get } from "./server.js";
+import { ask, get } from "./server.js";
 
 const at = (id) => document.getElementById(id);
 const made = (name, properties = {}, ...parts) => {
@@ -15,14 +15,42 @@ const chosen = { rows: -1, columns: -1 };
 const others = new Map();  // axis → value that is shown
 const pictures = new Map();  // run → its element
 
-const named = (axis) => `${axis.label.replaceAll("_", " ")}${axis.unit ? ` (${axis.unit})` : ""}`;
+const wanted = [];  // pictures to be drawn
+let drawing = false;
+
+/** One picture after the other; while the sweep goes on, as it has time for them. */
+async function drawNext() {
+  if (drawing) return;
+  drawing = true;
+  while (wanted.length > 0) {
+    const { run, image } = wanted[0];
+    const response = await ask(`picture?run=${run}`).catch(() => null);
+    if (!response) break;
+    if (response.status === 202) {
+      await new Promise((done) => setTimeout(done, 3000));
+      continue;
+    }
+    wanted.shift();
+    if (!response.ok) continue;
+    image.src = URL.createObjectURL(await response.blob());
+    image.hidden = false;
+  }
+  drawing = false;
+}
+
+const named = (axis) => `${axis.label}${axis.unit ? ` (${axis.unit})` : ""}`;
 const withUnit = (axis, value) => `${value}${axis.unit ? ` ${axis.unit}` : ""}`;
 
 function cell(run) {
   const words = `run ${run.number}: ${run.at.map((value, i) => `${sweep.axes[i].label} ${withUnit(sweep.axes[i], sweep.axes[i].values[value])}`).join(", ")}`;
   const content = made("span", { className: `run ${run.status}` });
   if (run.status === "done" && run.stored) {
-    if (!pictures.has(run.number)) pictures.set(run.number, made("img", { src: `picture?run=${run.number}`, alt: "", loading: "lazy", width: 160, height: 90 }));
+    if (!pictures.has(run.number)) {
+      const image = made("img", { alt: "", hidden: true });
+      pictures.set(run.number, image);
+      wanted.push({ run: run.number, image });
+      drawNext();
+    }
     content.append(pictures.get(run.number));
   } else {
     content.append(made("span", { className: "none", textContent: run.status === "done" ? "no bed stored" : run.status }));
@@ -51,7 +79,7 @@ function choosers() {
   const place = at("axes");
   place.replaceChildren();
   if (sweep.axes.length < 3) return;
-  const all = () => sweep.axes.map((axis, i) => new Option(axis.label.replaceAll("_", " "), i));
+  const all = () => sweep.axes.map((axis, i) => new Option(axis.label, i));
   const swap = (side, other) => (value) => {
     if (chosen[other] === value) chosen[other] = chosen[side];
     chosen[side] = value;
@@ -71,6 +99,7 @@ function show(anew = false) {
   const down = sweep.axes[rows] ?? one;
   const across = sweep.axes[columns] ?? one;
   const table = made("table");
+  table.style.setProperty("--columns", across.values.length);
   if (sweep.axes[rows] || sweep.axes[columns]) {
     table.append(made("caption", { textContent: [sweep.axes[rows] && `down: ${named(down)}`, sweep.axes[columns] && `across: ${named(across)}`].filter(Boolean).join("; ") }));
   }

@@ -171,14 +171,15 @@ void open_window(std::optional<JobServer>& window, JobWatch& watch, const SweepO
 }
 
 /// For those who watch it.
-std::string end_text(const std::vector<RunRecord>& records) {
+std::string end_text(const std::vector<RunRecord>& records, const std::string& folder) {
     const std::size_t done = count(records, RunStatus::done);
     const std::size_t failed = count(records, RunStatus::failed);
     if (done + failed < records.size())
         return of_runs(done, records.size()) + " are done; the same command goes on";
-    return failed == 0 ? "complete"
-                       : fmt::format("{} failed; the same command tries them again",
-                                     of_runs(failed, records.size()));
+    const std::string shown = "; fumon view " + folder;
+    return failed == 0 ? "complete" + shown
+                       : fmt::format("{} failed; the same command tries them again{}",
+                                     of_runs(failed, records.size()), shown);
 }
 
 int sweep_alone(const SweepPlan& plan, const SweepOptions& options, JobWatch& watch,
@@ -192,7 +193,7 @@ int sweep_alone(const SweepPlan& plan, const SweepOptions& options, JobWatch& wa
     folder.write_runs(records);
     folder.write_table(records);
     const int ended = report_outcome(records, "", folder.table().string(), status);
-    if (window) window->end(end_text(records));
+    if (window) window->end(end_text(records, options.folder));
     return ended;
 }
 

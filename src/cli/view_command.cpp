@@ -8,6 +8,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -17,6 +18,7 @@
 #include "cli/remark.h"
 #include "cli/shared_options.h"
 #include "files/terrain/terrain_format.h"
+#include "film/beds/stored_beds.h"
 #include "film/beds/stored_still.h"
 #include "outputs/output_claims.h"
 #include "run/drawing.h"
@@ -26,9 +28,10 @@
 #include "scene/read.h"
 #include "scene/scene_files.h"
 #include "scene/terrain_scene.h"
+#include "view/scene/dropped_terrain.h"
+#include "view/scene/scene_pages.h"
 #include "view/server/address_lines.h"
 #include "view/server/http_server.h"
-#include "view/subject/computed_subject.h"
 #include "view/subject/followed_subject.h"
 #include "view/subject/stored_subject.h"
 #include "view/sweep/sweep_pages.h"
@@ -78,9 +81,24 @@ void declare(CLI::App& command, ViewArguments& arguments) {
                  "with ssh brings\nthe same address to your own machine.");
 }
 
-std::unique_ptr<ViewSubject> subject_of(const ViewArguments& arguments) {
+/// Of the results of another model, where the argument names some.
+std::unique_ptr<ViewSubject> foreign_subject(const ViewArguments& arguments) {
+    const std::string ending = small_ending(arguments.input);
+    const bool several = arguments.input.find_first_of("*?") != std::string::npos;
+    if (!several && ending != ".nc" && ending != ".nc4") return nullptr;
     const WorkOptions& work = arguments.options.work;
-    const ExitOnSignal nothing_is_written;
+    try {
+        StoredBeds beds = StoredBeds::of_files(arguments.input, work.threads, work.settings);
+        if (several || beds.beds().size() > 1) return stored_subject(std::move(beds), {});
+    } catch (const InputError&) {
+        if (several) throw;
+    }
+    return nullptr;  // a grid of heights
+}
+
+/// Of what has its results; nullptr for a scene and for terrain.
+std::unique_ptr<ViewSubject> stored_results(const ViewArguments& arguments) {
+    const WorkOptions& work = arguments.options.work;
     if (const std::optional<fs::path> run = run_folder_of(arguments.input)) {
         if (!arguments.heights.empty())
             throw InputError("--heights belongs to a PNG terrain, not to a run");
@@ -94,30 +112,47 @@ std::unique_ptr<ViewSubject> subject_of(const ViewArguments& arguments) {
             "folder that `fumon run -o` was given, a scene or terrain",
             arguments.input));
     }
+    return foreign_subject(arguments);
+}
+
+std::unique_ptr<Pages> scene_pages(const ViewArguments& arguments, const ViewOptions& options) {
     const bool scenic = is_scene_argument(arguments.input);
     if (scenic && !arguments.heights.empty())
         throw InputError("--heights belongs to a PNG terrain; in a scene write bed.heights");
     const std::string file =
         scenic ? scene_argument(arguments.input) : terrain_argument(arguments.input);
-    PreparedRun run = prepare_run(scenic ? read_scene(file, work.settings)
-                                         : terrain_scene(file, arguments.heights, work.settings),
-                                  work.threads);
+    const auto read = [file, scenic, heights = arguments.heights,
+                       given = options.work.settings](const std::vector<std::string>& further) {
+        std::vector<std::string> settings = given;
+        settings.insert(settings.end(), further.begin(), further.end());
+        return scenic ? read_scene(file, settings) : terrain_scene(file, heights, settings);
+    };
+    PreparedRun run = prepare_run(read({}), options.work.threads);
     if (!run.initial.note.empty()) remark(run.initial.note + "\n");
     std::vector<fs::path> files = scene_files(run.scene);
     files.emplace_back(file);
-    return computed_subject(arguments.input, std::move(run), std::move(files));
+    return std::make_unique<ScenePages>(arguments.input, std::move(run), std::move(files), read,
+                                        options);
 }
 
-std::unique_ptr<Pages> pages_of(const ViewArguments& arguments, const ViewOptions& options) {
-    if (!is_sweep_folder(arguments.input))
-        return std::make_unique<SubjectPages>(subject_of(arguments), options);
-    if (!arguments.heights.empty() || !options.work.settings.empty()) {
-        throw InputError(
-            fmt::format("{}: --heights and --set belong to a scene, a run or terrain, not to a "
-                        "sweep",
-                        arguments.input));
+std::unique_ptr<Pages> pages_of(const ViewArguments& arguments, const ViewOptions& given) {
+    const ExitOnSignal nothing_is_written;
+    ViewOptions options = given;
+    if (is_sweep_folder(arguments.input)) {
+        if (!arguments.heights.empty() || !options.work.settings.empty()) {
+            throw InputError(
+                fmt::format("{}: --heights and --set belong to a scene, a run or terrain, not to a "
+                            "sweep",
+                            arguments.input));
+        }
+        return std::make_unique<SweepPages>(arguments.input, options);
     }
-    return std::make_unique<SweepPages>(arguments.input, options);
+    options.drops = true;
+    std::unique_ptr<ViewSubject> subject = stored_results(arguments);
+    std::unique_ptr<Pages> pages = subject
+                                       ? std::make_unique<SubjectPages>(std::move(subject), options)
+                                       : scene_pages(arguments, options);
+    return std::make_unique<DroppedTerrain>(std::move(pages), options);
 }
 
 int perform(const ViewArguments& arguments) {

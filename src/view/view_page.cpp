@@ -22,6 +22,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* fixed_model =
+    "the run was computed with this value; fumon view SCENE computes with others";
 constexpr const char* json_type = "application/json";
 constexpr std::size_t most_plotted_rows = 2000;
 constexpr int not_found = 404;
@@ -64,6 +66,7 @@ HttpAnswer ViewPage::answer(const HttpRequest& request) {
         if (path == "subject") return subject_answer();
         if (path == "progress") return progress_answer();
         if (path == "measurements") return measurements_answer();
+        if (path == "presets") return json_answer(changes_.presets());
         if (const auto file = page_file(path)) return *file;
     } else {
         if (path == "picture") return picture_answer(request);
@@ -72,6 +75,8 @@ HttpAnswer ViewPage::answer(const HttpRequest& request) {
         if (path == "scene") return scene_answer(request);
         if (path == "film") return film_answer(request);
         if (path == "check") return check_answer(request);
+        if (path == "progress") return progress_answer();
+        if (path == "measurements") return measurements_answer();
     }
     return plain_answer(not_found, "no such page");
 }
@@ -98,7 +103,10 @@ HttpAnswer ViewPage::subject_answer() const {
     json["job"] = options_.watch != nullptr;
     json["state"] = subject_.work().state;
     json["moments"] = moments_json(subject_.moments());
-    json["keys"] = changes_.keys();
+    json["drops"] = options_.drops;
+    json["computes"] = options_.computes;
+    json["keys"] = changes_.keys(options_.computes ? "" : fixed_model);
+    json["further_overlay"] = changes_.keys_of_further_overlay();
     return json_answer(json);
 }
 

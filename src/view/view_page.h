@@ -15,8 +15,9 @@ namespace fumon {
 ///
 ///     GET                   the page, its styles and modules: assets/view
 ///     GET subject           what is shown, and the keys that may change, as JSON
-///     GET progress          its moments, and what is being computed
-///     GET measurements      columns of numbers
+///     GET, POST progress    its moments, and what is being computed
+///     GET, POST measurements   columns of numbers
+///     GET presets           the looks that fumon ships, as settings
 ///     POST picture          a picture request as JSON → a draft or picture
 ///     POST camera           a picture request → where its camera stands
 ///     POST check            {settings} → nothing, or the fault that `fumon check` would tell

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::chrono::seconds watched_for{4};  // after a client has asked
 constexpr std::chrono::seconds least_interval{1};
+constexpr std::chrono::seconds picture_interval{3};
 constexpr std::chrono::seconds most_wait_at_end{4};
 constexpr std::size_t most_messages = 100;
 constexpr std::size_t most_clients = 256;
@@ -38,7 +39,7 @@ bool JobWatch::is_watched() const {
 
 bool JobWatch::wants_picture() const {
     const std::lock_guard lock(mutex_);
-    return is_watched() && Clock::now() - shown_ >= least_interval;
+    return is_watched() && Clock::now() - shown_ >= picture_interval;
 }
 
 void JobWatch::show(std::shared_ptr<const Image> picture, std::string name) {
@@ -53,7 +54,7 @@ void JobWatch::take(std::shared_ptr<const Snapshot> snapshot) {
     const std::lock_guard lock(mutex_);
     snapshot_ = std::move(snapshot);
     wants_snapshot_ = false;
-    next_snapshot_ = Clock::now() + least_interval;
+    next_drawing_ = Clock::now() + least_interval;
 }
 
 void JobWatch::end(const std::string& outcome) {
@@ -98,16 +99,21 @@ std::shared_ptr<const Snapshot> JobWatch::snapshot() const {
     return snapshot_;
 }
 
+bool JobWatch::may_draw() const {
+    const std::lock_guard lock(mutex_);
+    return Clock::now() >= next_drawing_;
+}
+
 void JobWatch::ask_for_snapshot() {
     const std::lock_guard lock(mutex_);
-    if (state_.outcome.empty() && Clock::now() >= next_snapshot_) wants_snapshot_ = true;
+    if (state_.outcome.empty() && Clock::now() >= next_drawing_) wants_snapshot_ = true;
 }
 
 void JobWatch::spend(double seconds) {
     const std::lock_guard lock(mutex_);
     const std::chrono::duration<double> pause(seconds * seconds_for_a_second);
-    const auto from = std::max(next_snapshot_, Clock::now());
-    next_snapshot_ = from + std::chrono::duration_cast<Clock::duration>(pause);
+    const auto from = std::max(next_drawing_, Clock::now());
+    next_drawing_ = from + std::chrono::duration_cast<Clock::duration>(pause);
 }
 
 }  // namespace fumon

@@ -40,7 +40,8 @@ class JobWatch {
 
     void message(const std::string& line);
     void tell(std::vector<JobStage> stages, double seconds_left);
-    /// Whether a picture would be looked at: somebody watches, and the last one is a second old.
+    /// Whether a picture would be looked at: somebody watches, and the last one is three seconds
+    /// old.
     [[nodiscard]] bool wants_picture() const;
     void show(std::shared_ptr<const Image> picture, std::string name);
     /// Whether the present state would be looked at.
@@ -55,9 +56,11 @@ class JobWatch {
     [[nodiscard]] JobState state(const std::string& client);
     [[nodiscard]] std::shared_ptr<const Image> picture() const;
     [[nodiscard]] std::shared_ptr<const Snapshot> snapshot() const;
-    /// Asks for a newer snapshot once all that was drawn of former ones is 1 % of the time since.
+    /// Whether what was drawn for those who watch is less than 1 % of the time since.
+    [[nodiscard]] bool may_draw() const;
+    /// Asks for a newer snapshot as soon as may_draw().
     void ask_for_snapshot();
-    /// Counts the seconds that a picture of a snapshot took to draw.
+    /// Counts the seconds that something took to draw.
     void spend(double seconds);
 
   private:
@@ -76,7 +79,7 @@ class JobWatch {
     std::shared_ptr<const Image> picture_;
     std::shared_ptr<const Snapshot> snapshot_;
     Clock::time_point shown_{};
-    Clock::time_point next_snapshot_{};
+    Clock::time_point next_drawing_{};
     std::atomic<bool> wants_snapshot_{false};
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "film/beds/stored_beds.h"
 #include "picture/stills/picture_file.h"
 #include "run/frame_painter.h"
@@ -27,6 +28,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int unknown_page = 404;
+constexpr int later = 202;
 constexpr std::size_t most_open_runs = 4;
 constexpr std::size_t most_kept_pictures = 10'000;
 constexpr int small_width = 320;
@@ -119,6 +121,9 @@ HttpAnswer SweepPages::picture_answer(std::int64_t number) {
     const std::lock_guard lock(picture_mutex_);  // one at a time
     auto known = pictures_.find(number);
     if (known == pictures_.end()) {
+        if (options_.watch != nullptr && !options_.watch->may_draw())
+            return plain_answer(later, "it would hold up the sweep; ask again");
+        const Stopwatch stopwatch;
         const StoredBeds beds =
             StoredBeds::of_sweep(listing_.folder(), number, options_.work.threads);
         const auto last = beds.snapshot(beds.beds().size() - 1);
@@ -133,6 +138,7 @@ HttpAnswer SweepPages::picture_answer(std::int64_t number) {
             encode_picture(image, PictureFormat::jpeg, {small_quality, false}, 96.0, {});
         if (pictures_.size() >= most_kept_pictures) pictures_.clear();
         known = pictures_.emplace(number, std::string(bytes.begin(), bytes.end())).first;
+        if (options_.watch != nullptr) options_.watch->spend(stopwatch.seconds());
     }
     HttpAnswer answer;
     answer.type = "image/jpeg";

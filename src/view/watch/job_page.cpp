@@ -1,6 +1,8 @@
 #include "view/watch/job_page.h"
 
+#include <algorithm>
 #include <csignal>
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -15,6 +17,23 @@ namespace {
 
 constexpr std::size_t longest_client = 64;
 constexpr int job_picture_quality = 85;
+constexpr int job_picture_width = 960;
+
+/// A picture of about that width at most, each pixel one of some: quick.
+Image small_picture(const Image& whole) {
+    const int factor = (whole.width + job_picture_width - 1) / job_picture_width;
+    if (factor <= 1) return whole;
+    Image small(whole.width / factor, std::max(1, whole.height / factor));
+    for (int y = 0; y < small.height; ++y) {
+        const std::uint8_t* const from = whole.row(std::min(y * factor, whole.height - 1));
+        std::uint8_t* const to = small.row(y);
+        for (int x = 0; x < small.width; ++x) {
+            std::copy_n(from + 3 * static_cast<std::ptrdiff_t>(x) * factor, 3,
+                        to + 3 * static_cast<std::ptrdiff_t>(x));
+        }
+    }
+    return small;
+}
 
 }  // namespace
 
@@ -56,8 +75,8 @@ HttpAnswer JobPage::picture_answer() {
     if (!picture) return plain_answer(not_found, "there is no picture yet");
     const std::lock_guard lock(mutex_);
     if (encoded_ != picture) {
-        const std::vector<std::uint8_t> bytes =
-            encode_picture(*picture, PictureFormat::jpeg, {job_picture_quality, false}, 96.0, {});
+        const std::vector<std::uint8_t> bytes = encode_picture(
+            small_picture(*picture), PictureFormat::jpeg, {job_picture_quality, false}, 96.0, {});
         bytes_.assign(bytes.begin(), bytes.end());
         encoded_ = picture;
     }
