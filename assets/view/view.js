@@ -98,7 +98,7 @@ async function watch() {
     state.subject.state = progress.state;
     showState(progress);
     if (more) {
-      if (progress.moments.at(-1).step > step && atEnd && !plays) go(progress.moments.length - 1, state.live ? "newest" : "moment");
+      if (progress.moments.at(-1).step > step && atEnd && !plays && progress.follow) go(progress.moments.length - 1, state.live ? "newest" : "moment");
       showTime();
     }
     if (more && !state.live) plots.load();

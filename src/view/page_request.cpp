@@ -75,9 +75,9 @@ CameraPlace place_in(const Json& json) {
     });
 }
 
-PictureRequest picture_request_in(const Json& json) {
+ViewRequest picture_request_in(const Json& json) {
     return read_from_page([&] {
-        PictureRequest request;
+        ViewRequest request;
         constexpr std::size_t longest_name = 64;
         request.client = json.value("client", std::string()).substr(0, longest_name);
         request.settings = settings_in(json);

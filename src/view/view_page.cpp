@@ -118,6 +118,7 @@ HttpAnswer ViewPage::progress_answer() const {
     json["target"] = work.target;
     json["cell_steps_per_second"] = work.cell_steps_per_second;
     json["fault"] = work.fault;
+    json["follow"] = options_.watch == nullptr || options_.watch->may_draw();
     json["moments"] = moments_json(subject_.moments());
     return json_answer(json);
 }
@@ -161,7 +162,7 @@ HttpAnswer ViewPage::picture_answer(const HttpRequest& request) {
 }
 
 HttpAnswer ViewPage::camera_answer(const HttpRequest& request) const {
-    const PictureRequest wanted = picture_request_in(body_json(request));
+    const ViewRequest wanted = picture_request_in(body_json(request));
     const std::shared_ptr<const Snapshot> snapshot = subject_.snapshot(wanted.moment);
     if (!snapshot) return plain_answer(accepted, "it is being computed");
     const PictureThread::Settled settled = pictures_.settled(wanted, *snapshot);
@@ -189,7 +190,7 @@ HttpAnswer ViewPage::check_answer(const HttpRequest& request) const {
 HttpAnswer ViewPage::still_answer(const HttpRequest& request) {
     const Json asked = body_json(request);
     const std::string name = saved_name(name_in(asked, "still.png"), still_endings);
-    PictureRequest wanted = picture_request_in(asked);
+    ViewRequest wanted = picture_request_in(asked);
     wanted.client += " saves";
     wanted.draft = false;
     wanted.ending = small_ending(name);

@@ -32,13 +32,13 @@ void Progress::expect(std::int64_t steps, std::int64_t frames) {
 }
 
 void Progress::show() {
-    constexpr double tell_interval_s = 0.2;
-    if (watch() != nullptr && since_told_.seconds() >= tell_interval_s) tell_watch();
+    constexpr double report_interval_s = 0.2;
+    if (watch() != nullptr && since_report_.seconds() >= report_interval_s) report_to_watch();
     if (status_.due()) status_.show(line());
 }
 
-void Progress::tell_watch() {
-    since_told_ = {};
+void Progress::report_to_watch() {
+    since_report_ = {};
     std::vector<JobStage> stages{{"steps", steps_done, steps_, pace_of_steps()}};
     if (frames_ > 0) stages.push_back({"frames", frames_done, frames_, pace_of_frames()});
     watch()->tell(std::move(stages), seconds_left());

@@ -41,7 +41,7 @@ class Progress {
     [[nodiscard]] JobWatch* watch() const { return status_.watch(); }
 
   private:
-    void tell_watch();
+    void report_to_watch();
     [[nodiscard]] double seconds_left() const;
     [[nodiscard]] std::string pace_of_steps() const;   ///< empty: not known yet
     [[nodiscard]] std::string pace_of_frames() const;  ///< likewise
@@ -53,7 +53,7 @@ class Progress {
     std::int64_t steps_before_ = 0;
     std::int64_t frames_before_ = 0;
     Stopwatch watch_;
-    Stopwatch since_told_;
+    Stopwatch since_report_;
 };
 
 /// "0:07", "12:34", "3:05:10".

@@ -73,7 +73,7 @@ void PictureThread::cancel_all() {
     wake_.notify_all();
 }
 
-DrawnPicture PictureThread::draw(PictureRequest request) {
+DrawnPicture PictureThread::draw(ViewRequest request) {
     std::future<DrawnPicture> made;
     {
         const std::lock_guard lock(mutex_);
@@ -99,7 +99,7 @@ DrawnPicture PictureThread::draw(PictureRequest request) {
     return made.get();
 }
 
-PictureThread::Settled PictureThread::settled(const PictureRequest& request,
+PictureThread::Settled PictureThread::settled(const ViewRequest& request,
                                               const Snapshot& snapshot) const {
     std::vector<std::string> settings = request.settings;
     const auto size = [&](const char* key, int pixels) {
@@ -117,7 +117,7 @@ PictureThread::Settled PictureThread::settled(const PictureRequest& request,
     return settled;
 }
 
-DrawnPicture PictureThread::drawn(const PictureRequest& request, DraftPainter& drafts,
+DrawnPicture PictureThread::drawn(const ViewRequest& request, DraftPainter& drafts,
                                   WorkerPool& pool) {
     const Stopwatch watch;
     DrawnPicture picture;

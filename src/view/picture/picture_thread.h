@@ -22,7 +22,7 @@ class DraftPainter;
 class WorkerPool;
 
 /// A picture that a client asks for.
-struct PictureRequest {
+struct ViewRequest {
     std::string client;
     std::vector<std::string> settings{};  ///< of the page
     std::size_t moment = 0;
@@ -57,7 +57,7 @@ class PictureThread {
 
     /// Waits until the request is drawn or given up. Any thread may call it. Throws InputError
     /// where settings, moment or format are wrong, and what drawing throws.
-    DrawnPicture draw(PictureRequest request);
+    DrawnPicture draw(ViewRequest request);
 
     /// Gives up what waits, and all that is asked for from now on; what is being drawn is finished.
     void cancel_all();
@@ -68,16 +68,16 @@ class PictureThread {
         Scene scene;
         std::vector<std::string> camera;
     };
-    [[nodiscard]] Settled settled(const PictureRequest& request, const Snapshot& snapshot) const;
+    [[nodiscard]] Settled settled(const ViewRequest& request, const Snapshot& snapshot) const;
 
   private:
     struct Waiting {
-        PictureRequest request;
+        ViewRequest request;
         std::promise<DrawnPicture> promise;
     };
 
     void work(bool of_drafts);
-    DrawnPicture drawn(const PictureRequest& request, DraftPainter& drafts, WorkerPool& pool);
+    DrawnPicture drawn(const ViewRequest& request, DraftPainter& drafts, WorkerPool& pool);
 
     ViewSubject& subject_;
     const LookChanges& changes_;
