@@ -16,7 +16,8 @@ export function clock(seconds) {
   return minutes < 60 ? `${minutes}:${two(whole % 60)}` : `${Math.floor(minutes / 60)}:${two(minutes % 60)}:${two(whole % 60)}`;
 }
 
-/** Shows the job in an element, asks for it every second, and calls `heard` with each answer. */
+/** Shows the job in an element, asks for it every second, and calls `heard` with each answer; after that of the end the
+    program waits a moment for what `heard` still asks for. */
 export function start(place, heard = () => {}) {
   const bars = made("div", { className: "bars" });
   const left = made("p", { className: "left" });
@@ -84,8 +85,9 @@ export function start(place, heard = () => {}) {
     try {
       const job = await (await ask(`job?client=${client}`)).json();
       show(job);
-      heard(job);
+      await heard(job);
       if (!job.outcome) setTimeout(watch, 1000);
+      else await ask(`job?client=${client}&last=1`);
     } catch (refusal) {
       left.textContent = refusal.message;
       stop.disabled = true;

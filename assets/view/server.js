@@ -5,8 +5,8 @@ export const client = crypto.getRandomValues(new Uint32Array(2)).join("-");
 export class Refusal extends Error {}
 
 async function answered(response) {
-  if (response.ok && response.status !== 202) return response;
-  if (response.status === 202 || response.status === 409 || response.status === 429) return null;
+  if (response.status === 200) return response;
+  if (response.status === 202 || response.status === 204 || response.status === 409 || response.status === 429) return null;
   throw new Refusal(await response.text());
 }
 

@@ -162,7 +162,7 @@ function addOverlay() {
 }
 
 export function start() {
-  for (const key of state.subject.keys) add(key);
+  for (const last of [false, true]) state.subject.keys.filter((key) => (key.section === "model") === last).forEach(add);
   const kinds = state.subject.further_overlay.find((one) => one.key.endsWith(".kind"));
   document.getElementById("overlay-kind").append(...kinds.values.map((one) => new Option(one.name, one.name)));
   document.getElementById("add-overlay").addEventListener("click", addOverlay);

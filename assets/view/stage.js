@@ -48,7 +48,7 @@ function wholeSize() {
   return { width: Math.max(16, Math.round(width * factor)), height: Math.max(16, Math.round(height * factor)) };
 }
 
-async function drawWhole() {
+export async function drawWhole() {
   const of = version;
   stage.setAttribute("aria-busy", "true");
   try {

@@ -154,11 +154,17 @@ function times() {
 function watchJob() {
   at("tab-job").hidden = false;
   state.live = true;
-  job.start(at("job"), ({ outcome }) => {
-    ended = Boolean(outcome);
-    if (!ended) return;
-    state.live = false;
+  job.start(at("job"), async ({ outcome, stages }) => {
+    if (!outcome || ended) return;
+    ended = true;
     at("state").textContent = outcome;
+    state.live = false;
+    if (stages.length === 0) return;  // the program is gone already
+    const { moments } = await postForJson("progress", { settings: changed() });
+    await plots.load();
+    state.subject.moments = moments;
+    if (atEnd) go(Infinity, "newest");
+    await stage.drawWhole();
   });
 }
 

@@ -28,6 +28,7 @@ constexpr const char* json_type = "application/json";
 constexpr std::size_t most_plotted_rows = 2000;
 constexpr int not_found = 404;
 constexpr int accepted = 202;
+constexpr int no_content = 204;
 constexpr int conflict = 409;
 constexpr int too_many_requests = 429;
 constexpr std::array<std::string_view, 6> still_endings{".png",  ".jpg", ".jpeg",
@@ -143,7 +144,7 @@ HttpAnswer ViewPage::picture_answer(const HttpRequest& request) {
     DrawnPicture picture = pictures_.draw(picture_request_in(body_json(request)));
     switch (picture.outcome) {
         case RequestOutcome::superseded:
-            return plain_answer(conflict, "a newer picture is wanted");
+            return plain_answer(no_content, {});  // a newer one is asked for
         case RequestOutcome::too_many:
             return plain_answer(too_many_requests, "too many pictures are wanted");
         case RequestOutcome::computing:

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "fuzz_input.h"
-#include "support/raw_http.h"
+#include "../support/raw_http.h"
 #include "view/server/http_server.h"
 
 namespace {

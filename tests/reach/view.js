@@ -217,12 +217,12 @@ async function useSweep() {
 
 async function useScene() {
   await until(`document.readyState === 'complete' && ${wholeIsSeen}`, "no picture");
-  await key("model-creep_rate", "0.9");
-  await until("document.getElementById('changed').textContent.includes('creep_rate = 0.9')", "a key of the model does not change");
+  await key("model-creep_rate", "0.4");
+  await until("document.getElementById('changed').textContent.includes('creep_rate = 0.4')", "a key of the model does not change");
   await scrub(3);
   await until("document.getElementById('picture').dataset.step === '3'", "another model is not computed");
-  await key("model-creep_rate", "-3");
-  await until("[...document.querySelectorAll('.wrong')].some(one => !one.hidden && one.textContent.includes('model.creep_rate is -3'))", "a wrong value of the model is not refused");
+  await key("model-creep_rate", "0.9");
+  await until("[...document.querySelectorAll('.wrong')].some(one => !one.hidden && one.textContent.includes('model.creep_rate is 0.9'))", "a wrong value of the model is not refused");
   await click("add-overlay");
   await until("document.getElementById('changed').textContent.includes('overlay 1: kind = \"title\"')", "no overlay is added");
   await evaluate("document.getElementById('presets').open = true");

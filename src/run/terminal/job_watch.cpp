@@ -11,7 +11,7 @@ namespace {
 constexpr std::chrono::seconds watched_for{4};  // after a client has asked
 constexpr std::chrono::seconds least_interval{1};
 constexpr std::chrono::seconds picture_interval{3};
-constexpr std::chrono::seconds most_wait_at_end{4};
+constexpr std::chrono::seconds most_wait_at_end{10};
 constexpr std::size_t most_messages = 100;
 constexpr std::size_t most_clients = 256;
 constexpr double seconds_for_a_second = 100.0;  // that pass for one of drawing
@@ -77,7 +77,7 @@ bool JobWatch::all_have_heard() const {
     });
 }
 
-JobState JobWatch::state(const std::string& client) {
+JobState JobWatch::state(const std::string& client, bool is_last) {
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
     if (clients_.size() >= most_clients) {
@@ -85,7 +85,7 @@ JobState JobWatch::state(const std::string& client) {
                       [&](const auto& one) { return now - one.second.asked > watched_for; });
     }
     if (clients_.size() < most_clients || clients_.contains(client))
-        clients_[client] = {now, !state_.outcome.empty()};
+        clients_[client] = {now, is_last && !state_.outcome.empty()};
     return state_;
 }
 

@@ -47,13 +47,14 @@ class JobWatch {
     /// Whether the present state would be looked at.
     [[nodiscard]] bool wants_snapshot() const { return wants_snapshot_.load(); }
     void take(std::shared_ptr<const Snapshot> snapshot);
-    /// Says how the job ended, and waits some seconds until all who watch have heard of it.
+    /// Says how the job ended, and waits some seconds until all who watch have heard of it and ask
+    /// for nothing more.
     void end(const std::string& outcome);
 
     // ---- called for those who watch ----
 
-    /// `client` tells them apart.
-    [[nodiscard]] JobState state(const std::string& client);
+    /// `client` tells them apart; `is_last`: it asks for nothing more once the job has ended.
+    [[nodiscard]] JobState state(const std::string& client, bool is_last = true);
     [[nodiscard]] std::shared_ptr<const Image> picture() const;
     [[nodiscard]] std::shared_ptr<const Snapshot> snapshot() const;
     /// Whether what was drawn for those who watch is less than 1 % of the time since.

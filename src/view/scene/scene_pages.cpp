@@ -58,16 +58,15 @@ HttpAnswer ScenePages::answer(const HttpRequest& request) {
     if (settings.empty()) return own_->answer(request);
     HttpRequest rest = request;
     rest.body = body.dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (request.path != "check") return pages_of(settings)->answer(rest);
     try {
-        static_cast<void>(scene_with(settings));
+        return pages_of(settings)->answer(rest);
     } catch (const InputError& fault) {
+        if (request.path != "check") throw;
         HttpAnswer answer;
         answer.type = "application/json";
         answer.body = json_text({{"fault", fault.what()}});
         return answer;
     }
-    return own_->answer(rest);
 }
 
 Scene ScenePages::scene_with(const std::vector<std::string>& settings) const {
@@ -93,12 +92,12 @@ std::shared_ptr<Pages> ScenePages::pages_of(const std::vector<std::string>& sett
         others_.splice(others_.begin(), others_, known);
         return others_.front().pages;
     }
+    std::shared_ptr<Pages> pages =
+        computed(prepare_run(scene_with(settings), options_.work.threads));
     if (others_.size() >= most_other_computations) {
         others_.back().pages->cancel_all();
         others_.pop_back();
     }
-    std::shared_ptr<Pages> pages =
-        computed(prepare_run(scene_with(settings), options_.work.threads));
     if (cancelled_) pages->cancel_all();
     others_.push_front({settings, pages});
     return pages;

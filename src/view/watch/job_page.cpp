@@ -50,7 +50,8 @@ std::optional<HttpAnswer> JobPage::answer(const HttpRequest& request) {
 HttpAnswer JobPage::state_answer(const HttpRequest& request) {
     const auto client = request.query.find("client");
     const JobState state =
-        watch_.state(client == request.query.end() ? "" : client->second.substr(0, longest_client));
+        watch_.state(client == request.query.end() ? "" : client->second.substr(0, longest_client),
+                     request.query.contains("last"));
     nlohmann::ordered_json json;
     json["stages"] = nlohmann::ordered_json::array();
     for (const JobStage& stage : state.stages) {

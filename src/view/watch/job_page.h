@@ -12,7 +12,8 @@ namespace fumon {
 
 /// What a server answers of the job that goes on in its program:
 ///
-///     GET job?client=…      how far it is, as JSON
+///     GET job?client=…      how far it is, as JSON; "last" in the query: once it has ended the
+///                           client asks for nothing more
 ///     GET job-picture       its newest picture, a JPEG; 404 where there is none yet
 ///     POST stop             stops it, as Ctrl-C does
 class JobPage {

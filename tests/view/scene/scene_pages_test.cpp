@@ -71,7 +71,8 @@ TEST(ScenePages, SaysWhatCheckSaysOfTheModelsKeys) {
     const ScratchFolder folder;
     write_text(folder / "viewed.toml", viewed_scene);
     const auto pages = viewed_pages();
-    for (const char* setting : {"model.creep_rate=-1", "model.order=round", "model.colour=1"}) {
+    for (const char* setting :
+         {"model.creep_rate=-1", "model.creep_rate=0.9", "model.order=round", "model.colour=1"}) {
         const json fault = json::parse(post_to(*pages, "check", {{"settings", {setting}}}).body);
         const auto checked =
             test::fumon({"check", "viewed.toml", "--set", setting}, folder.path()).errors;

@@ -61,6 +61,7 @@ TEST(JobWatch, EndsWhenAllWhoWatchHaveHeard) {
     std::thread listens([&] {
         while (other.state("a").outcome.empty())
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        static_cast<void>(other.state("b", false));  // which has still to draw the end
         std::this_thread::sleep_for(std::chrono::milliseconds(300));
         static_cast<void>(other.state("b"));
     });
