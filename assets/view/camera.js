@@ -1,16 +1,16 @@
 // Turning, moving and flying with mouse, fingers and keys. Around the block by its three keys, as long as nothing
 // moves the camera aside; from then on by its place.
 import { post } from "./server.js";
-import { remember, set, state, tell, value, wish } from "./state.js";
+import { remember, set, state, tell, value, pictureRequest } from "./state.js";
 
 const stage = document.getElementById("stage");
 let facts = null;
 let known = "";
 
 async function learn() {
-  const now = JSON.stringify(wish());
+  const now = JSON.stringify(pictureRequest());
   if (known === now) return true;
-  const response = await post("camera", wish()).catch(() => null);
+  const response = await post("camera", pictureRequest()).catch(() => null);
   if (!response) return false;
   facts = await response.json();
   known = now;
@@ -100,7 +100,7 @@ async function act(move, { again = false } = {}) {
   if (fixed() || !(await learn())) return;
   if (!again) remember();
   move();
-  known = JSON.stringify(wish());
+  known = JSON.stringify(pictureRequest());
   if (state.place) Object.assign(facts, { eye: state.place.eye, target: state.place.target });
   tell("camera");
 }

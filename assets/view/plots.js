@@ -1,6 +1,6 @@
 // Measurements over time beside the picture, with the values of the shown step.
-import { get } from "./server.js";
-import { follow, state } from "./state.js";
+import { postForJson } from "./server.js";
+import { follow, settings, state } from "./state.js";
 
 const svg = "http://www.w3.org/2000/svg";
 const chosen = [];
@@ -74,7 +74,7 @@ function show() {
 }
 
 export async function load() {
-  columns = await get("measurements").catch(() => columns);
+  columns = await postForJson("measurements", { settings: settings() }).catch(() => columns);
   const others = columns.filter((one) => one.name !== "step" && one.name !== "time");
   const list = document.getElementById("column");
   if (list.options.length !== others.length) {
@@ -93,6 +93,6 @@ export function start() {
     if (name && !chosen.includes(name)) chosen.unshift(name);
     show();
   });
-  follow((what) => what === "moment" && show());
+  follow((what) => (what === "moment" || what === "newest") && show());
   load();
 }

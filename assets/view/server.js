@@ -1,23 +1,28 @@
 // What the page asks of the program that serves it.
 
-const client = crypto.getRandomValues(new Uint32Array(2)).join("-");
+export const client = crypto.getRandomValues(new Uint32Array(2)).join("-");
 
 export class Refusal extends Error {}
 
 async function answered(response) {
-  if (response.ok && response.status !== 202) return response;
-  if (response.status === 202 || response.status === 409 || response.status === 429) return null;
+  if (response.status === 200) return response;
+  if (response.status === 202 || response.status === 204 || response.status === 409 || response.status === 429) return null;
   throw new Refusal(await response.text());
 }
 
 async function asked(path, options) {
+  return answered(await ask(path, options));
+}
+
+/** The response as it is. */
+export async function ask(path, options) {
   let response;
   try {
     response = await fetch(path, options);
   } catch {
     throw new Refusal("fumon does not answer: it has ended, or the line to it is cut");
   }
-  return answered(response);
+  return response;
 }
 
 export async function get(path) {
@@ -28,6 +33,10 @@ export async function get(path) {
 /** The response, or null where the program works on something newer or is not that far yet. */
 export function post(path, body) {
   return asked(path, { method: "POST", body: JSON.stringify({ client, ...body }) });
+}
+
+export async function postForJson(path, body) {
+  return (await post(path, body)).json();
 }
 
 /** Saves by the program, or hands the file to the browser; says where it is. */

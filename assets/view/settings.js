@@ -54,11 +54,12 @@ function control(key, id) {
 function row(key) {
   const id = `key-${key.key.replaceAll(".", "-")}`;
   const [input, words] = [control(key, id)].flat();
-  const name = key.key.slice(key.section.length + 1).replaceAll("_", " ");
+  const name = key.key.slice(key.section.length + 1).replaceAll("_", " ").replace(/^\d+/, (number) => Number(number) + 1);
   const label = made("label", { htmlFor: id, title: key.key }, name, made("span", { className: "unit", textContent: key.unit }));
   const back = made("button", { type: "button", className: "back", textContent: "↺", title: "as it was" });
   back.setAttribute("aria-label", `${key.key} as it was`);
-  const facts = [key.help, range(key), `default ${key.default}`].filter(Boolean).join("; ");
+  if (key.fixed) input.disabled = true;
+  const facts = [key.help, range(key), `default ${key.default}`, key.fixed].filter(Boolean).join("; ");
   const help = made("p", { className: "help", id: `${id}-help`, textContent: facts });
   input.setAttribute("aria-describedby", help.id);
   const wrong = made("p", { className: "wrong", hidden: true });
@@ -72,6 +73,7 @@ function row(key) {
 
 async function change(key, text) {
   const { wrong } = rows.get(key.key);
+  if (key.key.startsWith("overlay.") && text === "") return takeOverlayAway(key.key);
   let fault;
   try {
     ({ fault } = await (await post("check", { settings: settings({ [key.key]: text }) })).json());
@@ -89,6 +91,18 @@ async function change(key, text) {
   tell("changes");
 }
 
+/** Of one that was added. */
+function takeOverlayAway(path) {
+  const begin = path.slice(0, path.lastIndexOf(".") + 1);
+  const number = Number(path.split(".")[1]);
+  remember();
+  // Those behind it keep their numbers, so that it is hidden rather than taken out.
+  const later = [...state.changes.keys()].some((one) => one.startsWith("overlay.") && Number(one.split(".")[1]) > number);
+  if (later) set({ [`${begin}show`]: "false" });
+  else for (const one of [...state.changes.keys()]) if (one.startsWith(begin)) state.changes.delete(one);
+  tell("changes");
+}
+
 function show() {
   const sought = search.value.trim().toLowerCase();
   const counts = new Map();
@@ -102,7 +116,8 @@ function show() {
     if (document.activeElement !== input) wrong.hidden = true;
     element.classList.toggle("changed", changed);
     const fits = !sought || `${path} ${name} ${key.help} ${key.unit}`.toLowerCase().includes(sought);
-    element.hidden = !fits || (changedOnly.checked && !changed);
+    const absent = path.startsWith("overlay.") && value(path.replace(/\.[^.]*$/, ".kind")) === "";
+    element.hidden = absent || !fits || (changedOnly.checked && !changed);
     const count = counts.get(key.section) ?? { changed: 0, seen: 0 };
     count.changed += changed;
     count.seen += !element.hidden;
@@ -119,17 +134,38 @@ function show() {
   document.getElementById("redo").disabled = !canRedo();
 }
 
-export function start() {
-  const sections = new Map();
-  for (const key of state.subject.keys) {
-    if (!sections.has(key.section)) {
-      const part = made("details", { open: key.section === "camera" }, made("summary", {}, key.section, made("span")));
-      part.dataset.section = key.section;
-      sections.set(key.section, part);
-      list.append(part);
-    }
-    sections.get(key.section).append(row(key));
+function add(key) {
+  let part = list.querySelector(`[data-section="${key.section}"]`);
+  if (!part) {
+    part = made("details", { open: key.section === "camera" }, made("summary", {}, key.section, made("span")));
+    part.dataset.section = key.section;
+    list.append(part);
   }
+  part.append(row(key));
+}
+
+/** One more overlay: its keys, of which the kind counts as changed. */
+function addOverlay() {
+  const numbers = [...state.keys.keys()].filter((path) => path.startsWith("overlay.")).map((path) => Number(path.split(".")[1]));
+  const number = Math.max(-1, ...numbers) + 1;
+  for (const one of state.subject.further_overlay) {
+    const last = one.key.split(".").slice(2).join(".");
+    const key = { ...one, key: `overlay.${number}.${last}` };
+    if (last === "kind") key.value = "";  // there is none in the scene
+    state.keys.set(key.key, key);
+    add(key);
+  }
+  remember();
+  set({ [`overlay.${number}.kind`]: JSON.stringify(document.getElementById("overlay-kind").value) });
+  list.querySelector("[data-section=overlay]").open = true;
+  tell("changes");
+}
+
+export function start() {
+  for (const last of [false, true]) state.subject.keys.filter((key) => (key.section === "model") === last).forEach(add);
+  const kinds = state.subject.further_overlay.find((one) => one.key.endsWith(".kind"));
+  document.getElementById("overlay-kind").append(...kinds.values.map((one) => new Option(one.name, one.name)));
+  document.getElementById("add-overlay").addEventListener("click", addOverlay);
   search.addEventListener("input", show);
   changedOnly.addEventListener("change", show);
   document.getElementById("undo").addEventListener("click", undo);

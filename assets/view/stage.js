@@ -1,6 +1,6 @@
 // The picture: a draft while something moves, one at a time, then the whole.
 import { post } from "./server.js";
-import { follow, state, value, wish } from "./state.js";
+import { follow, state, value, pictureRequest } from "./state.js";
 
 const stage = document.getElementById("stage");
 const picture = document.getElementById("picture");
@@ -12,6 +12,7 @@ let version = 0;   // of what is wanted
 let drawn = 0;     // of the last draft
 let drafting = false;
 let whole = null;  // the timer
+let wantsWhole = true;
 let waits = null;  // for what is being computed
 let camera = [];   // settings of the place that is shown
 
@@ -47,11 +48,11 @@ function wholeSize() {
   return { width: Math.max(16, Math.round(width * factor)), height: Math.max(16, Math.round(height * factor)) };
 }
 
-async function drawWhole() {
+export async function drawWhole() {
   const of = version;
   stage.setAttribute("aria-busy", "true");
   try {
-    const response = await post("picture", { ...wish(), ...wholeSize() });
+    const response = await post("picture", { ...pictureRequest(), ...wholeSize() });
     if (of !== version) return;
     if (response) await show(response, "whole");
     else later();
@@ -64,7 +65,7 @@ async function drawWhole() {
 
 function later() {
   clearTimeout(waits);
-  waits = setTimeout(refresh, 400);
+  waits = setTimeout(() => refresh(!wantsWhole), 400);
 }
 
 async function draft() {
@@ -73,7 +74,7 @@ async function draft() {
   while (drawn !== version) {
     drawn = version;
     try {
-      const response = await post("picture", { ...wish(), draft: true, width: 640, height: 360 });
+      const response = await post("picture", { ...pictureRequest(), draft: true, width: 640, height: 360 });
       if (response) await show(response, "draft");
       else later();
     } catch (refusal) {
@@ -83,22 +84,23 @@ async function draft() {
   }
   drafting = false;
   clearTimeout(whole);
-  whole = setTimeout(drawWhole, rest);
+  if (wantsWhole) whole = setTimeout(drawWhole, rest);
 }
 
-/** Something is to be seen otherwise. */
-export function refresh() {
+/** Something is to be seen otherwise. `onlyDraft`: the whole picture would hold up what is computed. */
+export function refresh(onlyDraft = false) {
   ++version;
+  wantsWhole = !onlyDraft;
   clearTimeout(whole);
   draft();
 }
 
 export function start() {
-  follow((what) => what !== "progress" && refresh());
+  follow((what) => what !== "progress" && refresh(what === "newest"));
   let resized = null;
   new ResizeObserver(() => {
     clearTimeout(resized);
     resized = setTimeout(() => { if (!drafting) drawWhole(); }, 400);
   }).observe(stage);
-  refresh();
+  refresh(state.live);
 }

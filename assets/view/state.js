@@ -6,6 +6,7 @@ export const state = {
   changes: new Map(),  // path → value as TOML
   place: null,         // {eye, target} where the camera stands freely
   moment: 0,
+  live: false,         // the program that serves the page computes what is shown
 };
 
 const past = [];
@@ -59,6 +60,6 @@ export function settings(more = {}) {
 }
 
 /** What a picture of the present is asked for by. */
-export function wish() {
+export function pictureRequest() {
   return { settings: settings(), moment: state.moment, eye: state.place?.eye ?? null, target: state.place?.target ?? null };
 }

@@ -1,7 +1,7 @@
 // What is taken away: changed keys as text, a scene, a still, a film.
 import { post, save } from "./server.js";
 import { cameraSettings } from "./stage.js";
-import { follow, settings, state, tell, value, wish } from "./state.js";
+import { follow, settings, state, tell, value, pictureRequest } from "./state.js";
 
 const at = (id) => document.getElementById(id);
 const shots = [{ seconds: 6, keys: [] }];
@@ -106,7 +106,7 @@ function look(key) {
 
 async function addKey() {
   if (value("camera.projection") !== '"perspective"') return "a film is seen in perspective; set camera.projection";
-  const response = await post("camera", wish());
+  const response = await post("camera", pictureRequest());
   if (!response) return "this moment is not computed yet";
   const { eye, target } = await response.json();
   shots[current].keys.push({ step: state.subject.moments[state.moment].step, eye, target });
@@ -146,7 +146,7 @@ export function start() {
   onClick("save-scene", async () => `saved: ${await save("scene", { settings: [...settings(), ...cameraSettings()], name: at("scene-name").value })}`);
   onClick("save-still", async () => {
     told("drawing …");
-    return `saved: ${await save("still", { ...wish(), width: Number(at("still-width").value), height: Number(at("still-height").value), name: at("still-name").value })}`;
+    return `saved: ${await save("still", { ...pictureRequest(), width: Number(at("still-width").value), height: Number(at("still-height").value), name: at("still-name").value })}`;
   });
   onClick("add-key", addKey);
   onClick("play-film", playFilm);

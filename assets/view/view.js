@@ -1,17 +1,23 @@
 // The window of `fumon view`: reads what is shown, and starts the parts of the page.
 import * as camera from "./camera.js";
 import * as plots from "./plots.js";
-import { get } from "./server.js";
+import * as job from "./job.js";
+import * as presets from "./presets.js";
+import { get, postForJson } from "./server.js";
 import * as settings from "./settings.js";
 import * as stage from "./stage.js";
-import { follow, state, tell } from "./state.js";
+import { follow, settings as changed, state, tell } from "./state.js";
 import * as take from "./take.js";
+import * as terrain from "./terrain.js";
 
 const at = (id) => document.getElementById(id);
 const playing = "M4 3h3v10H4zM9 3h3v10H9z";
 const paused = "M4 2.5 13 8l-9 5.5z";
 let plays = null;
 let atEnd = true;
+let ended = false;        // the job of this program
+let plotsLoaded = 0;      // when
+let plotsPause = 3000;    // ms until the next time
 
 const rounded = (number) => String(Number(number.toPrecision(6)));
 
@@ -28,11 +34,11 @@ function showTime() {
   at("step").textContent = words;
 }
 
-function go(moment) {
+function go(moment, what = "moment") {
   const last = state.subject.moments.length - 1;
   state.moment = Math.max(0, Math.min(last, moment));
   atEnd = state.moment === last;
-  tell("moment");
+  tell(what);
 }
 
 function stop() {
@@ -65,32 +71,53 @@ function showState({ state: word, step, target, cell_steps_per_second: speed, fa
   at("state").textContent = fault || text;
 }
 
+/** Measurements take the program time: less often where they take long. */
+async function loadPlots() {
+  const now = performance.now();
+  if (now - plotsLoaded < plotsPause) return;
+  plotsLoaded = Infinity;
+  await plots.load();
+  plotsLoaded = performance.now();
+  plotsPause = Math.max(3000, 100 * (plotsLoaded - now));
+}
+
+const modelOf = () => [...state.changes].filter(([path]) => path.startsWith("model.")).map(String).sort().join();
+let shownModel = "";
+
 async function watch() {
   const changing = ["computing", "computed", "running", "interrupted", "unknown"];
-  if (!changing.includes(state.subject.state)) return;
+  if (ended || !changing.includes(state.subject.state)) return;
   try {
-    const progress = await get("progress");
+    const model = modelOf();
+    const progress = await postForJson("progress", { settings: changed() });
     const was = state.subject.moments;
-    const more = progress.moments.length !== was.length || progress.moments.some((one, i) => one.ready !== was[i].ready);
+    const more = progress.moments.length !== was.length || progress.moments.some((one, i) => one.ready !== was[i].ready || one.step !== was[i].step);
     const step = was[state.moment].step;
     state.subject.moments = progress.moments;
-    state.moment = Math.max(0, progress.moments.findIndex((one) => one.step === step));
+    state.moment = Math.max(0, progress.moments.findLastIndex((one) => one.step <= step));
     state.subject.state = progress.state;
     showState(progress);
     if (more) {
-      if (progress.moments.length > was.length && atEnd && !plays) go(progress.moments.length - 1);
+      if (progress.moments.at(-1).step > step && atEnd && !plays && progress.follow) go(progress.moments.length - 1, state.live ? "newest" : "moment");
       showTime();
     }
-    if (more || progress.state === "running") plots.load();
+    if (more && !state.live) plots.load();
+    else if (more || progress.state === "running") loadPlots();
+    if (model !== shownModel) {  // other values of the model: another run
+      shownModel = model;
+      plots.load();
+    }
+    if (ended) return;
     setTimeout(watch, progress.state === "computed" ? 700 : 1000);
   } catch (refusal) {
+    if (ended) return;
     stage.complain(refusal.message);
     setTimeout(watch, 3000);
   }
 }
 
 function tabs() {
-  const all = [...document.querySelectorAll("[role=tab]")];
+  const all = [...document.querySelectorAll("[role=tab]")].filter((tab) => !tab.hidden);
   const choose = (tab) => {
     for (const one of all) {
       one.setAttribute("aria-selected", String(one === tab));
@@ -121,7 +148,24 @@ function times() {
     event.preventDefault();
     acts[event.key]();
   });
-  follow((what) => what === "moment" && showTime());
+  follow((what) => (what === "moment" || what === "newest") && showTime());
+}
+
+function watchJob() {
+  at("tab-job").hidden = false;
+  state.live = true;
+  job.start(at("job"), async ({ outcome, stages }) => {
+    if (!outcome || ended) return;
+    ended = true;
+    at("state").textContent = outcome;
+    state.live = false;
+    if (stages.length === 0) return;  // the program is gone already
+    const { moments } = await postForJson("progress", { settings: changed() });
+    await plots.load();
+    state.subject.moments = moments;
+    if (atEnd) go(Infinity, "newest");
+    await stage.drawWhole();
+  });
 }
 
 async function start() {
@@ -132,16 +176,22 @@ async function start() {
   const { nx, ny, dx, unit } = subject.grid;
   at("title").textContent = subject.title || subject.name;
   at("facts").textContent = `${subject.model}, ${nx} × ${ny} cells${unit === "m" ? ` of ${rounded(dx)} m` : ""}`;
+  if (subject.title && subject.title !== subject.name) at("facts").textContent = `${subject.name}: ${at("facts").textContent}`;
+  if (/\/run\/\d+\/$/.test(location.pathname)) at("facts").append(" ", Object.assign(document.createElement("a"), { href: "../../", textContent: "all runs" }));
   document.title = `${subject.title || subject.name} – fumon view`;
+  if (subject.job) watchJob();
   tabs();
   times();
   showTime();
   settings.start();
+  presets.start();
+  terrain.start();
   take.start();
   plots.start();
   camera.start();
   stage.start();
   watch();
+  if (subject.job) at("tab-job").click();
 }
 
 start().catch((refusal) => stage.complain(refusal.message));

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -23,6 +26,7 @@
 #include "outputs/output_claims.h"
 #include "run/drawing.h"
 #include "run/terminal/interrupt.h"
+#include "view/watch/job_server.h"
 
 namespace fumon {
 
@@ -43,6 +47,7 @@ struct FilmOptions {
     bool resume = false;
     bool force = false;
     ForeignQuery foreign;
+    WatchOptions watch;
     WorkOptions work;
 };
 
@@ -93,6 +98,7 @@ void declare(CLI::App& command, FilmOptions& options) {
     add_foreign_options(command, options.foreign);
     add_settings(command, options.work.settings,
                  "override a film key: --set film.size=vertical (repeatable)");
+    add_watch_options(command, options.watch);
     add_thread_options(command, options.work);
     add_drawing_options(command, options.work);
     add_examples(
@@ -206,10 +212,24 @@ int perform(const FilmOptions& options) {
     if (!made_of.source.empty()) claims.reads(made_of.source);
     claims.reads(runs.files());
     for (const FilmOutput& output : outputs) claim_film(claims, output);
-    StatusLine status(options.work.verbosity);
+    JobWatch watch;
+    StatusLine status(options.work.verbosity, options.watch.on ? &watch : nullptr);
+    std::optional<JobServer> window;
+    if (options.watch.on) {
+        window.emplace(
+            watch,
+            [name = outputs.front().file.string()] { return std::make_unique<WatchPages>(name); },
+            options.watch.port);
+        std::fputs(window->address_lines().c_str(), stdout);
+        std::fflush(stdout);
+    }
     for (const FilmOutput& output : outputs) {
         const MadeFilm made = make_film(output, runs, made_of.text.remake, options.work, status);
-        if (made.signal != 0) return exit_status_of_signal(made.signal);
+        if (made.signal != 0) {
+            if (window)
+                window->end(options.resume ? "stopped; the same command goes on" : "stopped");
+            return exit_status_of_signal(made.signal);
+        }
         const FilmSize size = film_size(output.film);
         const auto say = [&](const fs::path& written, std::int64_t frames, std::int64_t width,
                              std::int64_t height) {
@@ -233,6 +253,7 @@ int perform(const FilmOptions& options) {
         say(output.file, made.frames, made.width, made.height);
         if (!output.sheet.empty()) say(output.sheet, made.sheet_frames, size.width, size.height);
     }
+    if (window) window->end("complete: " + outputs.back().file.string());
     return 0;
 }
 

@@ -34,6 +34,9 @@
 #include "scene/scene_files.h"
 #include "scene/terrain_scene.h"
 #include "scene/wind_tables.h"
+#include "view/subject/followed_subject.h"
+#include "view/view_page.h"
+#include "view/watch/job_server.h"
 
 namespace fumon {
 
@@ -46,6 +49,7 @@ struct RunOptions {
     std::string resume;              ///< the folder of a run to go on with; empty: a new run
     double checkpoint_every = 10.0;  ///< minutes; 0: no checkpoints
     bool as_json = false;
+    WatchOptions watch;
     WorkOptions work;
 };
 
@@ -70,6 +74,7 @@ void declare(CLI::App& command, RunOptions& options) {
                "minutes between checkpoints (default 10; 0: none)")
         ->type_name("MINUTES");
     command.add_flag("--json", options.as_json, "print what the run made as JSON");
+    add_watch_options(command, options.watch);
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
     add_examples(
@@ -77,6 +82,7 @@ void declare(CLI::App& command, RunOptions& options) {
         {{"fumon run terada-barchans -o out/barchans", "frames, movie, measurements"},
          {"fumon run terada-barchans -o out/wet --set model.creep_rate=0.2", "a number changed"},
          {"fumon run dunes-barchans -o out/dunes --json", "what it made, for a program"},
+         {"fumon run dunes-barchans -o out/dunes --view", "watched in a browser"},
          {"fumon run --resume out/barchans", "goes on with a run that was stopped"},
          {"fumon run --resume out/barchans --set run.steps=9000", "a complete run made longer"}},
         "Exit status: 0 done, 2 wrong input, 3 could not work, 130/143 interrupted (what was made "
@@ -198,12 +204,47 @@ void tell_forecast(const PreparedRun& run, const RunOptions& options, Progress& 
     if (const std::string text = forecast_text(*forecast); !text.empty()) progress.note(text);
 }
 
+/// Shows a run that has begun in a browser.
+void open_window(std::optional<JobServer>& window, JobWatch& watch, const PreparedRun& prepared,
+                 const Snapshot& first, const RunFolder& folder, const RunOptions& options) {
+    ViewOptions look;
+    look.work = options.work;
+    look.watch = &watch;
+    window.emplace(
+        watch,
+        [&, look] {
+            return std::make_unique<SubjectPages>(
+                watched_subject(folder.path(), prepared.scene, prepared.initial.inputs, first,
+                                watch),
+                look);
+        },
+        options.watch.port);
+    std::FILE* const out = options.as_json ? stderr : stdout;
+    std::fputs(window->address_lines().c_str(), out);
+    std::fflush(out);
+}
+
+/// For those who watch it.
+std::string end_text(const RunOutcome& outcome, const RunFolder& folder) {
+    if (outcome.error) return "failed: " + error_text(outcome.error);
+    const std::string steps = with_commas(outcome.steps_done);
+    if (outcome.signal == 0)
+        return fmt::format("complete: {} steps; fumon view {}", steps, folder.path().string());
+    return fmt::format("stopped at step {}{}", steps,
+                       outcome.checkpoint
+                           ? fmt::format("; fumon run --resume {} goes on from step {}",
+                                         folder.path().string(), with_commas(*outcome.checkpoint))
+                           : "");
+}
+
 /// Makes a run that is prepared, in the folder; returns the exit status.
 int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
          const ResumedRun* previous) {
     const Scene& scene = prepared.scene;
+    JobWatch watch;
     Progress progress(options.work.verbosity,
-                      static_cast<std::int64_t>(prepared.initial.bed.size()));
+                      static_cast<std::int64_t>(prepared.initial.bed.size()),
+                      options.watch.on ? &watch : nullptr);
     if (!prepared.initial.note.empty()) progress.note(prepared.initial.note);
     const Snapshot first = prepared.model->snapshot();
     if (const std::string winds = winds_line(first); !winds.empty()) progress.note(winds);
@@ -222,6 +263,7 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
     }
     const ManifestFacts facts{scene, prepared.initial, prepared.pool->size(),
                               planned_files(scene, options.checkpoint_every), first.winds};
+    std::optional<JobServer> window;
     const auto started = [&](const DrawingRecord& drawing) {
         report_drawing(drawing, progress);
         if (!drawing.environment.backend.empty())
@@ -233,6 +275,7 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
             folder.resume(run_parts(scene, how.checkpoint_minutes), previous->checkpoint);
         }
         write_running_manifest(folder, facts, drawing);
+        if (options.watch.on) open_window(window, watch, prepared, first, folder, options);
         if (previous == nullptr) tell_forecast(prepared, options, progress);
     };
     const RunOutcome outcome = run_pipeline(*prepared.model, scene, prepared.initial.inputs,
@@ -246,6 +289,7 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
         if (!outcome.error) throw;
     }
     if (!outcome.checkpoint) folder.remove_frame_list();
+    if (window) window->end(end_text(outcome, folder));
     if (options.as_json) print_json(folder);
     rethrow(outcome, options, scene);
     report_outcome(outcome, prepared, folder, progress);

@@ -46,6 +46,17 @@ CLI::Option* add_word(CLI::App& command, const char* name, std::string& value,
     return command.add_option(name, value, help)->check(known);
 }
 
+void add_watch_options(CLI::App& command, WatchOptions& watch) {
+    auto* view = command.add_flag(
+        "--view", watch.on,
+        "show in a browser how far it is, with its pictures and a button that stops it; the "
+        "address is printed");
+    add_number(command, "--port", watch.port, 0, 65535,
+               "with --view: to listen on (default: one that is free)")
+        ->type_name("N")
+        ->needs(view);
+}
+
 void add_thread_options(CLI::App& command, WorkOptions& work) {
     constexpr double most_threads = 1024;
     add_number(command, "--threads", work.threads, 1, most_threads,

@@ -29,6 +29,13 @@ void add_work_options(CLI::App& command, WorkOptions& work);
 /// --gl and --pinned.
 void add_drawing_options(CLI::App& command, WorkOptions& work);
 
+/// --view and --port, of a job that can be watched in a browser.
+struct WatchOptions {
+    bool on = false;
+    int port = 0;  ///< 0: any that is free
+};
+void add_watch_options(CLI::App& command, WatchOptions& watch);
+
 /// --set, described by `help`.
 void add_settings(CLI::App& command, std::vector<std::string>& settings, const char* help);
 

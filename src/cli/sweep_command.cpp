@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <numeric>
 #include <optional>
 
@@ -13,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/examples.h"
 #include "cli/shared_options.h"
+#include "run/drawing.h"
 #include "run/inputs/scene_argument.h"
 #include "run/terminal/interrupt.h"
 #include "shards/shard.h"
@@ -21,6 +23,8 @@
 #include "sweep/sweep_folder.h"
 #include "sweep/sweep_plan.h"
 #include "sweep/sweep_work.h"
+#include "view/sweep/sweep_pages.h"
+#include "view/watch/job_server.h"
 
 namespace fumon {
 
@@ -34,6 +38,7 @@ struct SweepOptions {
     bool force = false;
     ShardOptions shards;
     std::vector<std::string> from;  ///< folders of shards, to be merged
+    WatchOptions watch;
     WorkOptions work;
 };
 
@@ -65,6 +70,7 @@ void declare(CLI::App& command, SweepOptions& options) {
         ->type_name("DIR")
         ->allow_extra_args(false)
         ->needs(command.get_option("--merge")->excludes(force));
+    add_watch_options(command, options.watch);
     add_work_options(command, options.work);
     add_examples(
         command,
@@ -150,14 +156,45 @@ int report_outcome(const std::vector<RunRecord>& records, const std::string& wha
     return could_not_work;
 }
 
-int sweep_alone(const SweepPlan& plan, const SweepOptions& options, StatusLine& status) {
+/// Shows a sweep that has begun in a browser.
+void open_window(std::optional<JobServer>& window, JobWatch& watch, const SweepOptions& options) {
+    prepare_drawing(options.work);
+    ViewOptions look;
+    look.work = options.work;
+    look.watch = &watch;
+    window.emplace(
+        watch,
+        [folder = options.folder, look] { return std::make_unique<SweepPages>(folder, look); },
+        options.watch.port);
+    std::fputs(window->address_lines().c_str(), stdout);
+    std::fflush(stdout);
+}
+
+/// For those who watch it.
+std::string end_text(const std::vector<RunRecord>& records, const std::string& folder) {
+    const std::size_t done = count(records, RunStatus::done);
+    const std::size_t failed = count(records, RunStatus::failed);
+    if (done + failed < records.size())
+        return of_runs(done, records.size()) + " are done; the same command goes on";
+    const std::string shown = "; fumon view " + folder;
+    return failed == 0 ? "complete" + shown
+                       : fmt::format("{} failed; the same command tries them again{}",
+                                     of_runs(failed, records.size()), shown);
+}
+
+int sweep_alone(const SweepPlan& plan, const SweepOptions& options, JobWatch& watch,
+                StatusLine& status) {
     const SweepFolder folder(options.folder, plan, options.force);
+    std::optional<JobServer> window;
+    if (options.watch.on) open_window(window, watch, options);
     for (const std::string& note : plan.notes) status.note(note);
     const std::vector<RunRecord> records =
         make_runs(plan, folder, all_runs(plan), true, options, status);
     folder.write_runs(records);
     folder.write_table(records);
-    return report_outcome(records, "", folder.table().string(), status);
+    const int ended = report_outcome(records, "", folder.table().string(), status);
+    if (window) window->end(end_text(records, options.folder));
+    return ended;
 }
 
 int sweep_shard(const SweepPlan& plan, const Shard& shard, const SweepOptions& options,
@@ -217,7 +254,14 @@ std::vector<std::string> words_of(const SweepOptions& options) {
 int perform(const SweepOptions& given) {
     const InterruptGuard guard;
     SweepOptions options = given;
-    StatusLine status(options.work.verbosity);
+    JobWatch watch;
+    StatusLine status(options.work.verbosity, options.watch.on ? &watch : nullptr);
+    if (options.watch.on && (options.shards.merge || !options.shards.shard.empty() ||
+                             options.shards.slurm_shards > 0)) {
+        throw InputError(
+            "--view watches a sweep that one program makes; look at one that several share with "
+            "fumon view DIR");
+    }
     const Share share = share_of(options.shards, options.work, status, "writes the table");
     const auto plan =
         make_plan({read_scene_text(scene_argument(options.scene)),
@@ -236,7 +280,7 @@ int perform(const SweepOptions& given) {
         return 0;
     }
     if (options.shards.merge) return merge(*plan, options, SweepFolder::Use::merge, status);
-    if (!share.shard) return sweep_alone(*plan, options, status);
+    if (!share.shard) return sweep_alone(*plan, options, watch, status);
     return share.of_mpirun ? sweep_rank(*plan, *share.shard, options, status)
                            : sweep_shard(*plan, *share.shard, options, status);
 }

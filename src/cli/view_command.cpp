@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -9,6 +8,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -18,6 +18,7 @@
 #include "cli/remark.h"
 #include "cli/shared_options.h"
 #include "files/terrain/terrain_format.h"
+#include "film/beds/stored_beds.h"
 #include "film/beds/stored_still.h"
 #include "outputs/output_claims.h"
 #include "run/drawing.h"
@@ -27,10 +28,13 @@
 #include "scene/read.h"
 #include "scene/scene_files.h"
 #include "scene/terrain_scene.h"
+#include "view/scene/dropped_terrain.h"
+#include "view/scene/scene_pages.h"
+#include "view/server/address_lines.h"
 #include "view/server/http_server.h"
-#include "view/subject/computed_subject.h"
 #include "view/subject/followed_subject.h"
 #include "view/subject/stored_subject.h"
+#include "view/sweep/sweep_pages.h"
 #include "view/view_page.h"
 
 namespace fumon {
@@ -50,7 +54,7 @@ struct ViewArguments {
 void declare(CLI::App& command, ViewArguments& arguments) {
     command
         .add_option("INPUT", arguments.input,
-                    "a scene (.toml), the folder of a run, finished or not, or terrain: " +
+                    "a scene (.toml), the folder of a run or sweep, finished or not, or terrain: " +
                         terrain_titles())
         ->required();
     add_number(command, "--port", arguments.port, 0, 65535,
@@ -70,46 +74,85 @@ void declare(CLI::App& command, ViewArguments& arguments) {
     add_examples(command,
                  {{"fumon view terada-barchans", "a scene, computed as far as you look"},
                   {"fumon view out/run", "the stored beds of a run, also while it goes on"},
+                  {"fumon view out/creep", "the runs of a sweep, as a grid"},
                   {"fumon view terrain.asc --save pictures", "a terrain file of your own"}},
                  "It prints an address of this machine for your browser, and ends with Ctrl-C. "
                  "Nobody\nwithout that address sees or changes anything. Of a server the line "
                  "with ssh brings\nthe same address to your own machine.");
 }
 
-std::unique_ptr<ViewSubject> subject_of(const ViewArguments& arguments) {
+/// Of the results of another model, where the argument names some.
+std::unique_ptr<ViewSubject> foreign_subject(const ViewArguments& arguments) {
+    const std::string ending = small_ending(arguments.input);
+    const bool several = arguments.input.find_first_of("*?") != std::string::npos;
+    if (!several && ending != ".nc" && ending != ".nc4") return nullptr;
     const WorkOptions& work = arguments.options.work;
-    const ExitOnSignal nothing_is_written;
+    try {
+        StoredBeds beds = StoredBeds::of_files(arguments.input, work.threads, work.settings);
+        if (several || beds.beds().size() > 1) return stored_subject(std::move(beds), {});
+    } catch (const InputError&) {
+        if (several) throw;
+    }
+    return nullptr;  // a grid of heights
+}
+
+/// Of what has its results; nullptr for a scene and for terrain.
+std::unique_ptr<ViewSubject> stored_results(const ViewArguments& arguments) {
+    const WorkOptions& work = arguments.options.work;
     if (const std::optional<fs::path> run = run_folder_of(arguments.input)) {
         if (!arguments.heights.empty())
             throw InputError("--heights belongs to a PNG terrain, not to a run");
         if (is_unfinished_run(*run)) return followed_subject(*run, work.threads, work.settings);
         return stored_subject(*run, work.threads, work.settings);
     }
+    std::error_code fault;
+    if (fs::is_directory(arguments.input, fault)) {
+        throw InputError(fmt::format(
+            "{}: the folder holds no run (run.json) and no sweep (sweep.json); name the "
+            "folder that `fumon run -o` was given, a scene or terrain",
+            arguments.input));
+    }
+    return foreign_subject(arguments);
+}
+
+std::unique_ptr<Pages> scene_pages(const ViewArguments& arguments, const ViewOptions& options) {
     const bool scenic = is_scene_argument(arguments.input);
     if (scenic && !arguments.heights.empty())
         throw InputError("--heights belongs to a PNG terrain; in a scene write bed.heights");
     const std::string file =
         scenic ? scene_argument(arguments.input) : terrain_argument(arguments.input);
-    PreparedRun run = prepare_run(scenic ? read_scene(file, work.settings)
-                                         : terrain_scene(file, arguments.heights, work.settings),
-                                  work.threads);
+    const auto read = [file, scenic, heights = arguments.heights,
+                       given = options.work.settings](const std::vector<std::string>& further) {
+        std::vector<std::string> settings = given;
+        settings.insert(settings.end(), further.begin(), further.end());
+        return scenic ? read_scene(file, settings) : terrain_scene(file, heights, settings);
+    };
+    PreparedRun run = prepare_run(read({}), options.work.threads);
     if (!run.initial.note.empty()) remark(run.initial.note + "\n");
     std::vector<fs::path> files = scene_files(run.scene);
     files.emplace_back(file);
-    return computed_subject(arguments.input, std::move(run), std::move(files));
+    return std::make_unique<ScenePages>(arguments.input, std::move(run), std::move(files), read,
+                                        options);
 }
 
-/// The address, and the line that brings it to the machine of who is logged in from elsewhere.
-void tell(const HttpServer& server) {
-    std::string text = server.address() + "\n";
-    constexpr std::size_t longest = 256;
-    char host[longest] = {};
-    if (gethostname(host, longest - 1) == 0) {
-        text += fmt::format("from another machine: ssh -L {0}:127.0.0.1:{0} {1}\n", server.port(),
-                            host);
+std::unique_ptr<Pages> pages_of(const ViewArguments& arguments, const ViewOptions& given) {
+    const ExitOnSignal nothing_is_written;
+    ViewOptions options = given;
+    if (is_sweep_folder(arguments.input)) {
+        if (!arguments.heights.empty() || !options.work.settings.empty()) {
+            throw InputError(
+                fmt::format("{}: --heights and --set belong to a scene, a run or terrain, not to a "
+                            "sweep",
+                            arguments.input));
+        }
+        return std::make_unique<SweepPages>(arguments.input, options);
     }
-    std::fputs(text.c_str(), stdout);
-    std::fflush(stdout);
+    options.drops = true;
+    std::unique_ptr<ViewSubject> subject = stored_results(arguments);
+    std::unique_ptr<Pages> pages = subject
+                                       ? std::make_unique<SubjectPages>(std::move(subject), options)
+                                       : scene_pages(arguments, options);
+    return std::make_unique<DroppedTerrain>(std::move(pages), options);
 }
 
 int perform(const ViewArguments& arguments) {
@@ -120,7 +163,7 @@ int perform(const ViewArguments& arguments) {
         check_output_folder(options.save, "what the page saves");
     }
     prepare_drawing(options.work);
-    const std::unique_ptr<ViewSubject> subject = subject_of(arguments);
+    const std::unique_ptr<Pages> pages = pages_of(arguments, options);
     if (!options.save.empty()) {
         std::error_code fault;
         fs::create_directories(options.save, fault);
@@ -128,12 +171,12 @@ int perform(const ViewArguments& arguments) {
             throw Error(fmt::format("cannot make the folder {}: {}", options.save.string(),
                                     fault.message()));
     }
-    ViewPage page(*subject, options);
-    const HttpServer server([&](const HttpRequest& request) { return page.answer(request); },
+    const HttpServer server([&](const HttpRequest& request) { return pages->answer(request); },
                             arguments.port);
-    tell(server);
+    std::fputs(address_lines(server).c_str(), stdout);
+    std::fflush(stdout);
     while (interrupting_signal() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    page.cancel_all();
+    pages->cancel_all();
     return 0;
 }
 

@@ -28,6 +28,7 @@
 #include "picture/movie.h"
 #include "run/picture_text.h"
 #include "run/terminal/interrupt.h"
+#include "run/terminal/job_watch.h"
 #include "run/terminal/progress.h"
 #include "scene/json.h"
 
@@ -128,10 +129,18 @@ class FilmMaker {
         Image image = fits ? *std::move(before) : painter_->paint(frame);
         if (image.transparent() && !open_) image = composited_on(image, 255);
         if (kept_ && !fits) kept_->add(frame, image);
+        const double seconds = watch_.seconds();
+        const double left =
+            seconds * static_cast<double>(all - done - 1) / static_cast<double>(done + 1);
+        if (JobWatch* const job = status_.watch(); job != nullptr) {
+            job->tell({{"frames", done + 1, all,
+                        fmt::format("{:.2g} frames/s", static_cast<double>(done + 1) / seconds)}},
+                      left);
+            if (job->wants_picture()) {
+                job->show(std::make_shared<const Image>(image), fmt::format("frame {}", frame));
+            }
+        }
         if (status_.due()) {
-            const double seconds = watch_.seconds();
-            const double left =
-                seconds * static_cast<double>(all - done - 1) / static_cast<double>(done + 1);
             status_.show(fmt::format("frame {}/{} at {:.2g} frames/s, {} left",
                                      with_commas(done + 1), with_commas(all),
                                      static_cast<double>(done + 1) / seconds, clock_text(left)));

@@ -33,7 +33,7 @@ std::pair<std::string, std::string> file_and_variable(const std::string& source)
 
 }  // namespace
 
-FieldWish field_wish(const std::string& text) {
+FieldRequest field_request(const std::string& text) {
     const std::size_t equals = text.find('=');
     const auto quantity = quantity_of_key(std::string_view(text).substr(0, equals));
     if (equals == std::string::npos || equals + 1 == text.size() || !quantity)
@@ -44,7 +44,7 @@ FieldWish field_wish(const std::string& text) {
     return {*quantity, text.substr(equals + 1)};
 }
 
-bool is_file_wish(const std::string& source) {
+bool is_file_request(const std::string& source) {
     return is_pattern(source) || is_file(file_and_variable(source).first) ||
            source.find('/') != std::string::npos || fs::path(source).has_extension();
 }

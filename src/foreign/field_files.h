@@ -8,16 +8,16 @@
 namespace fumon {
 
 /// What --field says: "depth=h", "bed=dem.tif", "bed=grid.nc:zb", "depth=waterdepth*.txt".
-struct FieldWish {
+struct FieldRequest {
     Quantity quantity = Quantity::bed;
     std::string source;  ///< a variable, a file, a file and its variable, or a pattern of files
 };
 
 /// Throws InputError for another text and an unknown quantity.
-FieldWish field_wish(const std::string& text);
+FieldRequest field_request(const std::string& text);
 
 /// Whether a source is a file or a pattern of files, not a variable.
-bool is_file_wish(const std::string& source);
+bool is_file_request(const std::string& source);
 
 /// Adds a field from files of its own to a run: of one file, which does not change, or of a series
 /// that has a file for each record of the run, paired by the numbers in their names where the run

@@ -99,8 +99,9 @@ struct NamedFields {
 NamedFields named_fields(const ForeignQuery& query) {
     NamedFields named;
     for (const std::string& text : query.fields) {
-        const FieldWish wish = field_wish(text);
-        (is_file_wish(wish.source) ? named.files : named.variables)[wish.quantity] = wish.source;
+        const FieldRequest request = field_request(text);
+        (is_file_request(request.source) ? named.files : named.variables)[request.quantity] =
+            request.source;
     }
     return named;
 }

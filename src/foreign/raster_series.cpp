@@ -114,14 +114,14 @@ ForeignRun read_raster_series(const std::string& name, const std::vector<fs::pat
     run.fields.push_back(std::move(field));
     run.files = ordered;
     for (const std::string& text : query.fields) {
-        const FieldWish wish = field_wish(text);
-        if (run.find(wish.quantity) != nullptr)
+        const FieldRequest request = field_request(text);
+        if (run.find(request.quantity) != nullptr)
             throw InputError(fmt::format("--field {}: {} is the {} already", text, name,
-                                         facts_of(wish.quantity).name));
-        if (!is_file_wish(wish.source))
+                                         facts_of(request.quantity).name));
+        if (!is_file_request(request.source))
             throw InputError(fmt::format(
                 "--field {}: rasters have no variables; name a file or a pattern of files", text));
-        add_field_of_file(run, wish.quantity, wish.source, query);
+        add_field_of_file(run, request.quantity, request.source, query);
     }
     const bool has_both =
         run.find(Quantity::depth) != nullptr && run.find(Quantity::level) != nullptr;

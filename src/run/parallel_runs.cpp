@@ -16,6 +16,7 @@
 #include "base/thread_clock.h"
 #include "run/manifest.h"
 #include "run/terminal/interrupt.h"
+#include "run/terminal/job_watch.h"
 #include "run/terminal/progress.h"
 
 namespace fumon {
@@ -56,6 +57,7 @@ class ParallelRuns {
             failures_.clear();
             plausibility_warnings_.clear();
             successes_.clear();
+            if (status.watch() != nullptr) tell(*status.watch());
             if (ended) break;
             if (status.due()) {
                 status.show(run_progress_text(done_, records_.size(), failed_, watch_.seconds(),
@@ -68,6 +70,15 @@ class ParallelRuns {
     }
 
   private:
+    void tell(JobWatch& watch) const {
+        const double share = work_ > 0.0 ? work_done_ / work_ : 0.0;
+        const bool known = share > 0.0 && share <= 1.0;
+        watch.tell({{"runs", static_cast<std::int64_t>(done_ + failed_),
+                     static_cast<std::int64_t>(records_.size()),
+                     failed_ > 0 ? fmt::format("{} failed", failed_) : ""}},
+                   known ? watch_.seconds() * (1.0 - share) / share : -1.0);
+    }
+
     void work(int threads) {
         name_this_thread("fumon-sweep");
         while (const RunTask* task = next()) {

@@ -46,6 +46,7 @@
 #include "run/stage_threads.h"
 #include "run/step_observers.h"
 #include "run/terminal/interrupt.h"
+#include "run/terminal/job_watch.h"
 #include "run/written_outputs.h"
 #include "scene/read.h"
 
@@ -173,10 +174,12 @@ class Pipeline {
                                           written_.send_frame();
                                   });
         StepCounter count(progress_);
+        WatchedState watched(progress_.watch());
         PlausibilityReporter plausibility_warning(
             [this](const std::string& line) { stages_.report("implausible: " + line); });
         std::vector<StepObserver*> observers{&recorder, &beds, &frames, &plausibility_warning};
         std::optional<Checkpointer> checkpoints;
+        if (progress_.watch() != nullptr) observers.push_back(&watched);
         if (folder_ != nullptr && clock_.on()) {
             checkpoints.emplace(*folder_, parts_, clock_, checkpoint_facts(), written_, recorder,
                                 [this](const std::string& line) { stages_.report(line); });
@@ -244,6 +247,10 @@ class Pipeline {
                     std::make_shared<const LayeredImage>(painter->paint_layers(*frame->snapshot));
             outcome_.timing.rendering_wall += watch.seconds();
             progress_.seconds_of_frames += watch.seconds();
+            if (JobWatch* const job = progress_.watch(); job != nullptr && job->wants_picture()) {
+                job->show(picture.image,
+                          fmt::format("frame {}, step {}", picture.number, picture.snapshot->step));
+            }
             if (!to_frames_.push(picture)) break;
             if (movie_ && !to_movie_.push(picture)) break;
         }

@@ -6,6 +6,7 @@
 
 #include "base/stopwatch.h"
 #include "run/stepper.h"
+#include "run/terminal/job_watch.h"
 #include "run/terminal/progress.h"
 #include "scene/schedule.h"
 
@@ -57,6 +58,21 @@ class ProgressPrinter : public StepObserver {
   private:
     StepCounter counted_;
     Progress& progress_;
+};
+
+/// Hands the state to those who watch a run, when they ask for it.
+class WatchedState : public StepObserver {
+  public:
+    /// `watch` may be nullptr, as long as no run has this.
+    explicit WatchedState(JobWatch* watch) : watch_(watch) {}
+
+    [[nodiscard]] bool wants(std::int64_t /*step*/) const override {
+        return watch_->wants_snapshot();
+    }
+    void take(const SharedSnapshot& snapshot) override { watch_->take(snapshot); }
+
+  private:
+    JobWatch* watch_;
 };
 
 /// Reports the first plausibility warning of a model's state.

@@ -8,8 +8,8 @@
 
 namespace fumon {
 
-/// A file of the page by its name alone: "" is the page itself. None for any other name, whatever
-/// lies beside them.
-std::optional<HttpAnswer> page_file(std::string_view name);
+/// A file of a page by its name alone: "" is the page itself, of this name. None for any other
+/// name, whatever lies beside them.
+std::optional<HttpAnswer> page_file(std::string_view name, std::string_view page = "view.html");
 
 }  // namespace fumon

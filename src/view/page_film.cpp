@@ -13,7 +13,7 @@
 #include "film/script/film_looks.h"
 #include "keys/override.h"
 #include "outputs/own_file.h"
-#include "view/page_wish.h"
+#include "view/page_request.h"
 #include "view/picture/camera_pose.h"
 
 namespace fumon {

@@ -13,8 +13,8 @@
 #include "scene/json.h"
 #include "view/page_files.h"
 #include "view/page_film.h"
+#include "view/page_request.h"
 #include "view/page_saving.h"
-#include "view/page_wish.h"
 
 namespace fumon {
 
@@ -22,10 +22,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* fixed_model =
+    "the run was computed with this value; fumon view SCENE computes with others";
 constexpr const char* json_type = "application/json";
 constexpr std::size_t most_plotted_rows = 2000;
 constexpr int not_found = 404;
 constexpr int accepted = 202;
+constexpr int no_content = 204;
 constexpr int conflict = 409;
 constexpr int too_many_requests = 429;
 constexpr std::array<std::string_view, 6> still_endings{".png",  ".jpg", ".jpeg",
@@ -35,13 +38,6 @@ HttpAnswer json_answer(const Json& json) {
     HttpAnswer answer;
     answer.type = json_type;
     answer.body = json_text(json);
-    return answer;
-}
-
-HttpAnswer plain(int status, const std::string& text) {
-    HttpAnswer answer;
-    answer.status = status;
-    answer.body = text;
     return answer;
 }
 
@@ -71,6 +67,7 @@ HttpAnswer ViewPage::answer(const HttpRequest& request) {
         if (path == "subject") return subject_answer();
         if (path == "progress") return progress_answer();
         if (path == "measurements") return measurements_answer();
+        if (path == "presets") return json_answer(changes_.presets());
         if (const auto file = page_file(path)) return *file;
     } else {
         if (path == "picture") return picture_answer(request);
@@ -79,8 +76,10 @@ HttpAnswer ViewPage::answer(const HttpRequest& request) {
         if (path == "scene") return scene_answer(request);
         if (path == "film") return film_answer(request);
         if (path == "check") return check_answer(request);
+        if (path == "progress") return progress_answer();
+        if (path == "measurements") return measurements_answer();
     }
-    return plain(not_found, "no such page");
+    return plain_answer(not_found, "no such page");
 }
 
 HttpAnswer ViewPage::subject_answer() const {
@@ -102,9 +101,13 @@ HttpAnswer ViewPage::subject_answer() const {
     json["flat"] = first.section && scene.view.look.mode == ViewMode::figure;
     json["saves"] = !options_.save.empty();
     json["folder"] = options_.save.string();
+    json["job"] = options_.watch != nullptr;
     json["state"] = subject_.work().state;
     json["moments"] = moments_json(subject_.moments());
-    json["keys"] = changes_.keys();
+    json["drops"] = options_.drops;
+    json["computes"] = options_.computes;
+    json["keys"] = changes_.keys(options_.computes ? "" : fixed_model);
+    json["further_overlay"] = changes_.keys_of_further_overlay();
     return json_answer(json);
 }
 
@@ -116,6 +119,7 @@ HttpAnswer ViewPage::progress_answer() const {
     json["target"] = work.target;
     json["cell_steps_per_second"] = work.cell_steps_per_second;
     json["fault"] = work.fault;
+    json["follow"] = options_.watch == nullptr || options_.watch->may_draw();
     json["moments"] = moments_json(subject_.moments());
     return json_answer(json);
 }
@@ -137,17 +141,18 @@ HttpAnswer ViewPage::measurements_answer() const {
 }
 
 HttpAnswer ViewPage::picture_answer(const HttpRequest& request) {
-    DrawnPicture picture = pictures_.draw(wish_in(body_json(request)));
+    DrawnPicture picture = pictures_.draw(picture_request_in(body_json(request)));
     switch (picture.outcome) {
-        case WishOutcome::superseded:
-            return plain(conflict, "a newer picture is wanted");
-        case WishOutcome::too_many:
-            return plain(too_many_requests, "too many pictures are wanted");
-        case WishOutcome::computing:
-            return plain(accepted, "it is being computed");
-        case WishOutcome::drawn:
+        case RequestOutcome::superseded:
+            return plain_answer(no_content, {});  // a newer one is asked for
+        case RequestOutcome::too_many:
+            return plain_answer(too_many_requests, "too many pictures are wanted");
+        case RequestOutcome::computing:
+            return plain_answer(accepted, "it is being computed");
+        case RequestOutcome::drawn:
             break;
     }
+    if (options_.watch != nullptr) options_.watch->spend(picture.seconds);
     HttpAnswer answer;
     answer.type = picture.type;
     answer.body = std::move(picture.bytes);
@@ -158,10 +163,10 @@ HttpAnswer ViewPage::picture_answer(const HttpRequest& request) {
 }
 
 HttpAnswer ViewPage::camera_answer(const HttpRequest& request) const {
-    const PictureWish wish = wish_in(body_json(request));
-    const std::shared_ptr<const Snapshot> snapshot = subject_.snapshot(wish.moment);
-    if (!snapshot) return plain(accepted, "it is being computed");
-    const PictureThread::Settled settled = pictures_.settled(wish, *snapshot);
+    const ViewRequest wanted = picture_request_in(body_json(request));
+    const std::shared_ptr<const Snapshot> snapshot = subject_.snapshot(wanted.moment);
+    if (!snapshot) return plain_answer(accepted, "it is being computed");
+    const PictureThread::Settled settled = pictures_.settled(wanted, *snapshot);
     const CameraFacts facts = camera_facts(settled.scene, subject_.first(), *snapshot);
     return json_answer({{"eye", facts.place.eye},
                         {"target", facts.place.target},
@@ -186,13 +191,13 @@ HttpAnswer ViewPage::check_answer(const HttpRequest& request) const {
 HttpAnswer ViewPage::still_answer(const HttpRequest& request) {
     const Json asked = body_json(request);
     const std::string name = saved_name(name_in(asked, "still.png"), still_endings);
-    PictureWish wish = wish_in(asked);
-    wish.client += " saves";
-    wish.draft = false;
-    wish.ending = small_ending(name);
-    DrawnPicture picture = pictures_.draw(std::move(wish));
-    if (picture.outcome != WishOutcome::drawn)
-        return plain(conflict, "the picture is not there yet; try again");
+    ViewRequest wanted = picture_request_in(asked);
+    wanted.client += " saves";
+    wanted.draft = false;
+    wanted.ending = small_ending(name);
+    DrawnPicture picture = pictures_.draw(std::move(wanted));
+    if (picture.outcome != RequestOutcome::drawn)
+        return plain_answer(conflict, "the picture is not there yet; try again");
     return saved(options_, subject_, name, picture.type, std::move(picture.bytes));
 }
 

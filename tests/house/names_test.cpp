@@ -112,7 +112,7 @@ constexpr std::array old_words{
     OldWord{"part_of_frame", "FramePart"},
     OldWord{"kept_frames", "FrameCache"},
     OldWord{"picture_ahead", "PicturePrefetch"},
-    OldWord{"wanted_picture", "PictureRequest"},
+    OldWord{"wanted_picture", "ViewRequest"},
     OldWord{"end_at_once", "ExitOnSignal"},
     OldWord{"bar_place", "BarPosition"},
     OldWord{"card_place", "CardPosition"},

@@ -37,6 +37,8 @@ class RawConnection {
         }
         return true;
     }
+    /// Tells the other side that nothing follows.
+    void end_sending() const { ::shutdown(socket_, SHUT_WR); }
     /// All until the other side closes.
     [[nodiscard]] std::string read_all() const {
         std::string all;

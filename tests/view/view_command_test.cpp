@@ -43,6 +43,10 @@ TEST(ViewCommand, RefusesWhatItCannotShow) {
     EXPECT_EQ(test::fumon({"view", "terada-barchans", "--set", "sun.elevation=200"}, folder.path())
                   .status,
               2);
+    const test::Ended empty = test::fumon({"view", "."}, folder.path());
+    EXPECT_EQ(empty.status, 2);
+    EXPECT_TRUE(contains(empty.errors, ".: the folder holds no run (run.json) and no sweep"))
+        << empty.errors;
     write_text(folder / "file", "x");
     EXPECT_EQ(test::fumon({"view", "terada-barchans", "--save", "file"}, folder.path()).status, 2);
 }

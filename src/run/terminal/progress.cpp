@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "base/number_text.h"
+#include "run/terminal/job_watch.h"
 
 namespace fumon {
 
@@ -29,30 +32,48 @@ void Progress::expect(std::int64_t steps, std::int64_t frames) {
 }
 
 void Progress::show() {
+    constexpr double report_interval_s = 0.2;
+    if (watch() != nullptr && since_report_.seconds() >= report_interval_s) report_to_watch();
     if (status_.due()) status_.show(line());
 }
 
-std::string Progress::line() const {
-    const std::int64_t steps = steps_done;
-    const std::int64_t frames = frames_done;
-    const double of_steps = seconds_of_steps;
-    const double of_frames = seconds_of_frames;
-    std::string text = fmt::format("step {}/{}", with_commas(steps), with_commas(steps_));
-    if (cells_ > 0 && of_steps > 0.0) {
-        text += fmt::format(" at {:.3g} million cell-steps/s",
-                            1e-6 * static_cast<double>(steps - steps_before_) *
-                                static_cast<double>(cells_) / of_steps);
-    }
-    if (frames_ > 0) {
-        text += fmt::format(", frame {}/{}", with_commas(frames), with_commas(frames_));
-        if (of_frames > 0.0) {
-            text += fmt::format(" at {:.2g} frames/s",
-                                static_cast<double>(frames - frames_before_) / of_frames);
-        }
-    }
+void Progress::report_to_watch() {
+    since_report_ = {};
+    std::vector<JobStage> stages{{"steps", steps_done, steps_, pace_of_steps()}};
+    if (frames_ > 0) stages.push_back({"frames", frames_done, frames_, pace_of_frames()});
+    watch()->tell(std::move(stages), seconds_left());
+}
+
+double Progress::seconds_left() const {
     const double seconds = watch_.seconds();
-    const double left = std::max(remaining(steps_before_, steps, steps_, seconds),
-                                 remaining(frames_before_, frames, frames_, seconds));
+    return std::max(remaining(steps_before_, steps_done, steps_, seconds),
+                    remaining(frames_before_, frames_done, frames_, seconds));
+}
+
+std::string Progress::pace_of_steps() const {
+    const double seconds = seconds_of_steps;
+    if (cells_ <= 0 || !(seconds > 0.0)) return {};
+    return fmt::format("{:.3g} million cell-steps/s",
+                       1e-6 * static_cast<double>(steps_done - steps_before_) *
+                           static_cast<double>(cells_) / seconds);
+}
+
+std::string Progress::pace_of_frames() const {
+    const double seconds = seconds_of_frames;
+    if (!(seconds > 0.0)) return {};
+    return fmt::format("{:.2g} frames/s",
+                       static_cast<double>(frames_done - frames_before_) / seconds);
+}
+
+std::string Progress::line() const {
+    const auto at = [](const std::string& pace) { return pace.empty() ? pace : " at " + pace; };
+    std::string text = fmt::format("step {}/{}{}", with_commas(steps_done), with_commas(steps_),
+                                   at(pace_of_steps()));
+    if (frames_ > 0) {
+        text += fmt::format(", frame {}/{}{}", with_commas(frames_done), with_commas(frames_),
+                            at(pace_of_frames()));
+    }
+    const double left = seconds_left();
     if (left > 0.0) text += fmt::format(", {} left", clock_text(left));
     return text;
 }

@@ -12,7 +12,9 @@ namespace fumon {
 /// Reports on standard error how far a run is. The pipeline's threads count; one thread prints.
 class Progress {
   public:
-    Progress(Verbosity verbosity, std::int64_t cells) : status_(verbosity), cells_(cells) {}
+    /// `watch` is told the same, and outlives this.
+    Progress(Verbosity verbosity, std::int64_t cells, JobWatch* watch = nullptr)
+        : status_(verbosity, watch), cells_(cells) {}
 
     /// What is to be done beside what is done by now. Without frames the line shows steps alone.
     void expect(std::int64_t steps, std::int64_t frames);
@@ -36,7 +38,14 @@ class Progress {
     /// and drawing go on side by side, each with its own count and its own pace.
     [[nodiscard]] std::string line() const;
 
+    [[nodiscard]] JobWatch* watch() const { return status_.watch(); }
+
   private:
+    void report_to_watch();
+    [[nodiscard]] double seconds_left() const;
+    [[nodiscard]] std::string pace_of_steps() const;   ///< empty: not known yet
+    [[nodiscard]] std::string pace_of_frames() const;  ///< likewise
+
     StatusLine status_;
     std::int64_t cells_;
     std::int64_t steps_ = 0;
@@ -44,6 +53,7 @@ class Progress {
     std::int64_t steps_before_ = 0;
     std::int64_t frames_before_ = 0;
     Stopwatch watch_;
+    Stopwatch since_report_;
 };
 
 /// "0:07", "12:34", "3:05:10".

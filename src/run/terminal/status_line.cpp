@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/standard_error.h"
+#include "run/terminal/job_watch.h"
 
 namespace fumon {
 
@@ -15,8 +16,8 @@ constexpr double log_line_interval_s = 10.0;
 
 }  // namespace
 
-StatusLine::StatusLine(Verbosity verbosity)
-    : verbosity_(verbosity), live_(isatty(STDERR_FILENO) == 1) {}
+StatusLine::StatusLine(Verbosity verbosity, JobWatch* watch)
+    : verbosity_(verbosity), watch_(watch), live_(isatty(STDERR_FILENO) == 1) {}
 
 StatusLine::~StatusLine() {
     clear();
@@ -43,7 +44,11 @@ void StatusLine::restart() {
 }
 
 void StatusLine::note(const std::string& text) {
-    if (verbosity_ != Verbosity::quiet) error(text);
+    if (verbosity_ != Verbosity::quiet) {
+        error(text);
+    } else if (watch_ != nullptr) {
+        watch_->message(text);
+    }
 }
 
 void StatusLine::verbose(const std::string& text) {
@@ -53,6 +58,7 @@ void StatusLine::verbose(const std::string& text) {
 void StatusLine::error(const std::string& text) {
     clear();
     print_to_stderr(text + "\n");
+    if (watch_ != nullptr) watch_->message(text);
 }
 
 void StatusLine::clear() {

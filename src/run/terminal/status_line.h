@@ -6,13 +6,16 @@
 
 namespace fumon {
 
+class JobWatch;
+
 enum class Verbosity { quiet, normal, verbose };
 
 /// Progress on standard error: one line that is rewritten on a terminal, a plain line now and then
 /// elsewhere, and messages above it. Used by one thread.
 class StatusLine {
   public:
-    explicit StatusLine(Verbosity verbosity);
+    /// `watch` hears all messages, too; it outlives this.
+    explicit StatusLine(Verbosity verbosity, JobWatch* watch = nullptr);
     ~StatusLine();
     StatusLine(const StatusLine&) = delete;
     StatusLine& operator=(const StatusLine&) = delete;
@@ -30,8 +33,12 @@ class StatusLine {
     /// Clears the progress line.
     void clear();
 
+    /// Who watches the job; nullptr: nobody may.
+    [[nodiscard]] JobWatch* watch() const { return watch_; }
+
   private:
     Verbosity verbosity_;
+    JobWatch* watch_;
     bool live_;
     Stopwatch since_shown_;
     bool open_ = false;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -13,6 +15,7 @@
 #include "keys/describe_key.h"
 #include "keys/key_value.h"
 #include "keys/keys.h"
+#include "keys/look_presets.h"
 #include "keys/override.h"
 #include "outputs/own_file.h"
 #include "render/colour/palette.h"
@@ -25,6 +28,8 @@
 namespace fumon {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 8> sections{"camera",  "sun",       "air",   "look",
                                                    "section", "streamers", "image", "overlay"};
@@ -43,6 +48,14 @@ bool may_change(std::string_view path) {
                                 [&](std::string_view out) { return path.starts_with(out); });
 }
 
+Json page_key(const Key& key, const Key& usual) {
+    Json json = key_json(usual);
+    json["key"] = key.path;
+    json["section"] = section_of(key.path);
+    json["value"] = value_text(key);
+    return json;
+}
+
 void check_size(const Scene& scene) {
     const ImageSettings& image = scene.view.image;
     const std::int64_t samples =
@@ -55,6 +68,10 @@ void check_size(const Scene& scene) {
 }
 
 }  // namespace
+
+bool is_model_key(std::string_view path) {
+    return section_of(path) == "model" && path != "model.name";
+}
 
 LookChanges::LookChanges(const Scene& base, const Snapshot& first, bool trusted)
     : base_(base), first_(first), trusted_(trusted), text_(to_toml(base)) {}
@@ -84,21 +101,59 @@ Scene LookChanges::with(const std::vector<std::string>& settings) const {
     return scene;
 }
 
-nlohmann::ordered_json LookChanges::keys() const {
+Json LookChanges::keys(const std::string& why_model_is_fixed) const {
     Scene present = base_;
     Scene standard = default_scene(base_.model.name);
     standard.view.overlays.resize(present.view.overlays.size());
     const KeyTable values = scene_keys(present);
     const KeyTable defaults = scene_keys(standard);
-    auto list = nlohmann::ordered_json::array();
+    auto list = Json::array();
     for (const Key& key : values.keys()) {
-        if (!may_change(key.path)) continue;
+        const bool of_model = is_model_key(key.path);
+        if (!may_change(key.path) && !of_model) continue;
         const Key* usual = defaults.find(key.path);
-        nlohmann::ordered_json json = key_json(usual != nullptr ? *usual : key);
-        json["key"] = key.path;
-        json["section"] = section_of(key.path);
-        json["value"] = value_text(key);
+        Json json = page_key(key, usual != nullptr ? *usual : key);
+        if (of_model && !why_model_is_fixed.empty()) json["fixed"] = why_model_is_fixed;
         list.push_back(std::move(json));
+    }
+    return list;
+}
+
+Json LookChanges::keys_of_further_overlay() const {
+    Scene further = base_;
+    const std::size_t number = further.view.overlays.size();
+    further.view.overlays.emplace_back();
+    const std::string begin = fmt::format("overlay.{}.", number);
+    const KeyTable table = scene_keys(further);
+    auto list = Json::array();
+    for (const Key& key : table.keys())
+        if (key.path.starts_with(begin)) list.push_back(page_key(key, key));
+    return list;
+}
+
+Json LookChanges::presets() const {
+    std::map<std::string, std::map<std::string, std::string>> looks;
+    std::set<std::string> decided;
+    Scene plain = default_scene(base_.model.name);
+    const KeyTable defaults = scene_keys(plain);
+    for (const std::string& name : look_preset_names()) {
+        Scene scene = default_scene(base_.model.name);
+        const KeyTable table = scene_keys(scene);
+        apply_look_preset(table, name, "look.preset");
+        for (const Key& key : table.keys()) {
+            const Key* usual = defaults.find(key.path);
+            const std::string value = value_text(key);
+            if (usual == nullptr || !may_change(key.path) || value == value_text(*usual)) continue;
+            looks[name][key.path] = value;
+            decided.insert(key.path);
+        }
+        looks[name];
+    }
+    auto list = Json::array();
+    for (auto& [name, settings] : looks) {
+        for (const std::string& path : decided)
+            settings.try_emplace(path, value_text(*defaults.find(path)));
+        list.push_back({{"name", name}, {"settings", settings}});
     }
     return list;
 }

@@ -66,21 +66,21 @@ void PictureThread::cancel_all() {
         const std::lock_guard lock(mutex_);
         ended_ = true;
         DrawnPicture cancelled;
-        cancelled.outcome = WishOutcome::superseded;
+        cancelled.outcome = RequestOutcome::superseded;
         for (Waiting& left : waiting_) left.promise.set_value(cancelled);
         waiting_.clear();
     }
     wake_.notify_all();
 }
 
-DrawnPicture PictureThread::draw(PictureWish wish) {
+DrawnPicture PictureThread::draw(ViewRequest request) {
     std::future<DrawnPicture> made;
     {
         const std::lock_guard lock(mutex_);
         DrawnPicture cancelled;
-        cancelled.outcome = WishOutcome::superseded;
+        cancelled.outcome = RequestOutcome::superseded;
         for (auto old = waiting_.begin(); old != waiting_.end();) {
-            if (old->wish.client == wish.client) {
+            if (old->request.client == request.client) {
                 old->promise.set_value(cancelled);
                 old = waiting_.erase(old);
             } else {
@@ -89,48 +89,50 @@ DrawnPicture PictureThread::draw(PictureWish wish) {
         }
         if (ended_) return cancelled;
         if (waiting_.size() >= most_waiting) {
-            cancelled.outcome = WishOutcome::too_many;
+            cancelled.outcome = RequestOutcome::too_many;
             return cancelled;
         }
-        waiting_.push_back({std::move(wish), {}});
+        waiting_.push_back({std::move(request), {}});
         made = waiting_.back().promise.get_future();
     }
     wake_.notify_all();  // either thread may be meant
     return made.get();
 }
 
-PictureThread::Settled PictureThread::settled(const PictureWish& wish,
+PictureThread::Settled PictureThread::settled(const ViewRequest& request,
                                               const Snapshot& snapshot) const {
-    std::vector<std::string> settings = wish.settings;
+    std::vector<std::string> settings = request.settings;
     const auto size = [&](const char* key, int pixels) {
-        if (pixels > 0 && !wish.draft) settings.push_back(fmt::format("image.{}={}", key, pixels));
+        if (pixels > 0 && !request.draft)
+            settings.push_back(fmt::format("image.{}={}", key, pixels));
     };
-    size("width", wish.width);
-    size("height", wish.height);
+    size("width", request.width);
+    size("height", request.height);
     Settled settled{changes_.with(settings), {}};
-    if (wish.place) {
-        settled.camera = settings_of(*wish.place, settled.scene, subject_.first(), snapshot);
+    if (request.place) {
+        settled.camera = settings_of(*request.place, settled.scene, subject_.first(), snapshot);
         settings.insert(settings.end(), settled.camera.begin(), settled.camera.end());
         settled.scene = changes_.with(settings);
     }
     return settled;
 }
 
-DrawnPicture PictureThread::drawn(const PictureWish& wish, DraftPainter& drafts, WorkerPool& pool) {
+DrawnPicture PictureThread::drawn(const ViewRequest& request, DraftPainter& drafts,
+                                  WorkerPool& pool) {
     const Stopwatch watch;
     DrawnPicture picture;
-    const std::shared_ptr<const Snapshot> snapshot = subject_.snapshot(wish.moment);
+    const std::shared_ptr<const Snapshot> snapshot = subject_.snapshot(request.moment);
     if (!snapshot) {
-        picture.outcome = WishOutcome::computing;
+        picture.outcome = RequestOutcome::computing;
         return picture;
     }
-    auto [scene, camera] = settled(wish, *snapshot);
+    auto [scene, camera] = settled(request, *snapshot);
     const Snapshot& first = subject_.first();
     picture.camera = std::move(camera);
     picture.step = snapshot->step;
-    const PictureFormat format = picture_format("x" + wish.ending);
-    if (wish.draft) {
-        scene = draft_of(std::move(scene), wish.width, wish.height);
+    const PictureFormat format = picture_format("x" + request.ending);
+    if (request.draft) {
+        scene = draft_of(std::move(scene), request.width, request.height);
         const Image image = is_flat(scene, first)
                                 ? make_frame_painter(scene, first, options_.backend, pool,
                                                      PaintedContent::one_picture)
@@ -140,8 +142,8 @@ DrawnPicture PictureThread::drawn(const PictureWish& wish, DraftPainter& drafts,
         picture.bytes =
             text_of(encode_picture(image, PictureFormat::jpeg, {draft_quality, false}, 96.0, {}));
     } else {
-        check_still(scene, *snapshot, "x" + wish.ending);
-        const MeasuredRows rows = subject_.rows(plotted_columns(scene), wish.moment);
+        check_still(scene, *snapshot, "x" + request.ending);
+        const MeasuredRows rows = subject_.rows(plotted_columns(scene), request.moment);
         stand_on_drawn_ground(scene.view, first, *snapshot);
         const Drawing drawing =
             draw_snapshot({scene, subject_.inputs(), rows}, first, *snapshot, options_);
@@ -161,7 +163,7 @@ void PictureThread::work(bool of_drafts) {
         auto next = waiting_.end();
         wake_.wait(lock, [&] {
             next = std::ranges::find_if(
-                waiting_, [&](const Waiting& one) { return one.wish.draft == of_drafts; });
+                waiting_, [&](const Waiting& one) { return one.request.draft == of_drafts; });
             return ended_ || next != waiting_.end();
         });
         if (ended_) return;
@@ -169,7 +171,7 @@ void PictureThread::work(bool of_drafts) {
         waiting_.erase(next);
         lock.unlock();
         try {
-            taken.promise.set_value(drawn(taken.wish, drafts, pool));
+            taken.promise.set_value(drawn(taken.request, drafts, pool));
         } catch (...) {
             taken.promise.set_exception(std::current_exception());
         }

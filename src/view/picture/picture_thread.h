@@ -21,8 +21,8 @@ namespace fumon {
 class DraftPainter;
 class WorkerPool;
 
-/// What a client wants to see.
-struct PictureWish {
+/// A picture that a client asks for.
+struct ViewRequest {
     std::string client;
     std::vector<std::string> settings{};  ///< of the page
     std::size_t moment = 0;
@@ -33,20 +33,20 @@ struct PictureWish {
     std::string ending = ".png";  ///< of a picture
 };
 
-enum class WishOutcome { drawn, superseded, computing, too_many };
+enum class RequestOutcome { drawn, superseded, computing, too_many };
 
 struct DrawnPicture {
-    WishOutcome outcome = WishOutcome::drawn;
+    RequestOutcome outcome = RequestOutcome::drawn;
     std::string type{};  ///< of its media: "image/png"
     std::string bytes{};
-    std::vector<std::string> camera{};  ///< the settings of the place that was wished
+    std::vector<std::string> camera{};  ///< the settings of the place that was asked for
     std::int64_t step = 0;
     double seconds = 0.0;  ///< that drawing took
 };
 
 /// The threads that draw, one for drafts and one for pictures, each with an OpenGL context of its
-/// own: a draft waits for no picture. Of each client the newest wish alone is drawn. A picture is
-/// made as `fumon still` makes it, and has its bytes.
+/// own: a draft waits for no picture. Of each client the newest request alone is drawn. A picture
+/// is made as `fumon still` makes it, and has its bytes.
 class PictureThread {
   public:
     /// Subject and changes outlive it.
@@ -55,29 +55,29 @@ class PictureThread {
     PictureThread(const PictureThread&) = delete;
     PictureThread& operator=(const PictureThread&) = delete;
 
-    /// Waits until the wish is drawn or given up. Any thread may call it. Throws InputError where
-    /// settings, moment or format are wrong, and what drawing throws.
-    DrawnPicture draw(PictureWish wish);
+    /// Waits until the request is drawn or given up. Any thread may call it. Throws InputError
+    /// where settings, moment or format are wrong, and what drawing throws.
+    DrawnPicture draw(ViewRequest request);
 
-    /// Gives up what waits, and all that is wished from now on; what is being drawn is finished.
+    /// Gives up what waits, and all that is asked for from now on; what is being drawn is finished.
     void cancel_all();
 
-    /// The scene of a wish with its place and size, and the settings of the place. Throws
+    /// The scene of a request with its place and size, and the settings of the place. Throws
     /// likewise.
     struct Settled {
         Scene scene;
         std::vector<std::string> camera;
     };
-    [[nodiscard]] Settled settled(const PictureWish& wish, const Snapshot& snapshot) const;
+    [[nodiscard]] Settled settled(const ViewRequest& request, const Snapshot& snapshot) const;
 
   private:
     struct Waiting {
-        PictureWish wish;
+        ViewRequest request;
         std::promise<DrawnPicture> promise;
     };
 
     void work(bool of_drafts);
-    DrawnPicture drawn(const PictureWish& wish, DraftPainter& drafts, WorkerPool& pool);
+    DrawnPicture drawn(const ViewRequest& request, DraftPainter& drafts, WorkerPool& pool);
 
     ViewSubject& subject_;
     const LookChanges& changes_;

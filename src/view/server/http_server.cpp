@@ -5,12 +5,17 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <exception>
+#include <limits>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -26,6 +31,7 @@ namespace {
 
 constexpr const char* loopback = "127.0.0.1";
 constexpr int length_required = 411;
+constexpr int too_large = 413;
 constexpr int unprocessable = 422;
 constexpr int failed = 500;
 constexpr int most_waiting = 256;
@@ -109,6 +115,21 @@ bool has_length(const httplib::Request& request) {
            (request.method != "POST" || request.has_header("Content-Length"));
 }
 
+/// What Content-Length says; the largest number where that is none.
+std::uint64_t length_of(const httplib::Request& request) {
+    const std::string text = request.get_header_value("Content-Length");
+    if (text.empty()) return 0;
+    std::uint64_t length = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), length);
+    const bool whole = fault == std::errc{} && end == text.data() + text.size();
+    return whole ? length : std::numeric_limits<std::uint64_t>::max();
+}
+
+std::size_t most_bytes(const httplib::Request& request, const std::string& token,
+                       const HttpLimits& limits) {
+    return request.path == "/" + token + "/terrain" ? limits.upload_bytes : limits.body_bytes;
+}
+
 }  // namespace
 
 struct HttpServer::State {
@@ -167,14 +188,16 @@ HttpServer::HttpServer(HttpHandler handler, int port, const HttpLimits& limits)
         setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     });
     server.set_default_headers(safe_headers());
-    server.set_payload_max_length(limits.body_bytes);
+    server.set_payload_max_length(std::max(limits.body_bytes, limits.upload_bytes));
     server.set_keep_alive_timeout(2);
     server.set_read_timeout(5);
     server.set_write_timeout(5);
     server.set_pre_routing_handler(
-        [&state](const httplib::Request& request, httplib::Response& answer) {
+        [&state, limits](const httplib::Request& request, httplib::Response& answer) {
             int refusal = refusal_of(head_of(request), state.token);
             if (refusal == 0 && !has_length(request)) refusal = length_required;
+            if (refusal == 0 && length_of(request) > most_bytes(request, state.token, limits))
+                refusal = too_large;
             if (refusal == 0) {
                 state.connections.admit(request.remote_port);
                 return httplib::Server::HandlerResponse::Unhandled;

@@ -28,10 +28,11 @@ struct HttpAnswer {
 using HttpHandler = std::function<HttpAnswer(const HttpRequest&)>;
 
 struct HttpLimits {
-    std::size_t body_bytes = 1U << 18U;  ///< of a request
-    std::size_t threads = 48;            ///< requests that are answered at once; others wait
-    double first_request_s = 10.0;       ///< within which a connection asks for what it may have
-    double connection_s = 3600.0;        ///< after its last request, however long one is drawn
+    std::size_t body_bytes = 1U << 18U;    ///< of a request
+    std::size_t upload_bytes = 1U << 26U;  ///< of one that uploads a file: POST "terrain"
+    std::size_t threads = 48;              ///< requests that are answered at once; others wait
+    double first_request_s = 10.0;         ///< within which a connection asks for what it may have
+    double connection_s = 3600.0;          ///< after its last request, however long one is drawn
 };
 
 /// An HTTP server for one user of this machine, who has its address: it listens on 127.0.0.1

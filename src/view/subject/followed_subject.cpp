@@ -29,6 +29,8 @@ using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds poll_interval{1000};
+/// What takes a second is done again after so many seconds: folders of other machines are slow.
+constexpr int rarely = 50;
 
 /// What run.json says now; nothing of it is needed.
 Json manifest_of(const fs::path& folder) {
@@ -59,19 +61,20 @@ std::optional<std::int64_t> step_of_bed(const fs::path& file) {
 
 class FollowedSubject : public ViewSubject {
   public:
-    FollowedSubject(fs::path folder, int threads, const std::vector<std::string>& settings)
+    /// `watch`: nullptr where another program computes the run.
+    FollowedSubject(fs::path folder, Scene scene, std::vector<InputFile> inputs, Snapshot first,
+                    JobWatch* watch)
         : folder_(std::move(folder)),
-          run_(prepare_run(scene_of_run(folder_, settings), threads)),
-          first_(std::make_shared<const Snapshot>(run_.model->snapshot())) {
-        run_.model.reset();
+          scene_(std::move(scene)),
+          inputs_(std::move(inputs)),
+          first_(std::make_shared<const Snapshot>(std::move(first))),
+          watch_(watch) {
         look();
     }
 
     [[nodiscard]] std::string name() const override { return folder_.string(); }
-    [[nodiscard]] const Scene& scene() const override { return run_.scene; }
-    [[nodiscard]] const std::vector<InputFile>& inputs() const override {
-        return run_.initial.inputs;
-    }
+    [[nodiscard]] const Scene& scene() const override { return scene_; }
+    [[nodiscard]] const std::vector<InputFile>& inputs() const override { return inputs_; }
     [[nodiscard]] const Snapshot& first() const override { return *first_; }
 
     [[nodiscard]] std::vector<ShownMoment> moments() override {
@@ -79,11 +82,17 @@ class FollowedSubject : public ViewSubject {
         look_again();
         std::vector<ShownMoment> all;
         for (const auto& [step, bed] : beds_) all.push_back({step, bed.time});
+        if (watch_ != nullptr) watch_->ask_for_snapshot();
+        if (const auto newest = newest_snapshot()) all.push_back({newest->step, newest->time});
         return all;
     }
 
     [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::size_t number) override {
         const std::lock_guard lock(mutex_);
+        if (number == beds_.size()) {
+            if (auto newest = newest_snapshot()) return newest;
+            if (watch_ != nullptr) --number;  // a bed is there of it meanwhile
+        }
         if (number >= beds_.size())
             throw InputError(fmt::format("moment {}: there are {}", number, beds_.size()));
         const auto bed = std::next(beds_.begin(), static_cast<std::ptrdiff_t>(number));
@@ -111,7 +120,7 @@ class FollowedSubject : public ViewSubject {
             if (column.name == "step" && !column.values.empty())
                 step = std::max(step, static_cast<std::int64_t>(column.values.back()));
         }
-        return {state_, step, run_.scene.run.steps};
+        return {state_, step, scene_.run.steps};
     }
 
     [[nodiscard]] std::vector<fs::path> files() const override {
@@ -136,7 +145,6 @@ class FollowedSubject : public ViewSubject {
         const auto now = Clock::now();
         if (now < next_measured_) return measured_;
         measured_ = read_measured();
-        constexpr int rarely = 50;
         next_measured_ = Clock::now() + rarely * (Clock::now() - now);
         return measured_;
     }
@@ -151,17 +159,25 @@ class FollowedSubject : public ViewSubject {
         }
     }
 
+    /// The newest state where it is newer than all beds.
+    [[nodiscard]] std::shared_ptr<const Snapshot> newest_snapshot() const {
+        auto newest = watch_ != nullptr ? watch_->snapshot() : nullptr;
+        return newest && newest->step > beds_.rbegin()->first ? newest : nullptr;
+    }
+
     void look_again() {
-        if (Clock::now() - looked_ > poll_interval) look();
+        if (Clock::now() >= next_look_) look();
     }
 
     void look() {
-        looked_ = Clock::now();
+        const Clock::time_point begin = Clock::now();
         state_ = state_in(manifest_of(folder_));
         std::map<std::int64_t, Bed> beds{{first_->step, Bed{first_->time}}};
         add_files(beds);
         add_fields(beds);
         beds_ = std::move(beds);
+        const Clock::time_point end = Clock::now();
+        next_look_ = end + std::max<Clock::duration>(poll_interval, rarely * (end - begin));
     }
 
     void add_files(std::map<std::int64_t, Bed>& beds) const {
@@ -198,21 +214,23 @@ class FollowedSubject : public ViewSubject {
     [[nodiscard]] Snapshot read(std::int64_t step, const Bed& bed) const {
         if (bed.file.empty()) return *first_;
         if (bed.fields) return read_fields_snapshot(bed.file, step, *first_);
-        Snapshot snapshot = read_stored_bed(run_.scene, bed.file, *first_);
+        Snapshot snapshot = read_stored_bed(scene_, bed.file, *first_);
         snapshot.step = step;
         snapshot.time = bed.time;
         return snapshot;
     }
 
     fs::path folder_;
-    PreparedRun run_;
+    Scene scene_;
+    std::vector<InputFile> inputs_;
     std::shared_ptr<const Snapshot> first_;
+    JobWatch* watch_;
     std::mutex mutex_;
     std::map<std::int64_t, Bed> beds_;             ///< by their steps
     std::map<std::string, PieceMoments> moments_;  ///< by the names of their files
     std::shared_ptr<const Snapshot> kept_;
     std::string state_;
-    Clock::time_point looked_{};
+    Clock::time_point next_look_{};
     std::vector<ViewColumn> measured_;
     Clock::time_point next_measured_{};
 };
@@ -225,7 +243,17 @@ bool is_unfinished_run(const fs::path& folder) {
 
 std::unique_ptr<ViewSubject> followed_subject(const fs::path& folder, int threads,
                                               const std::vector<std::string>& settings) {
-    return std::make_unique<FollowedSubject>(folder, threads, settings);
+    PreparedRun run = prepare_run(scene_of_run(folder, settings), threads);
+    Snapshot first = run.model->snapshot();
+    return std::make_unique<FollowedSubject>(
+        folder, std::move(run.scene), std::move(run.initial.inputs), std::move(first), nullptr);
+}
+
+std::unique_ptr<ViewSubject> watched_subject(const fs::path& folder, Scene scene,
+                                             std::vector<InputFile> inputs, const Snapshot& first,
+                                             JobWatch& watch) {
+    return std::make_unique<FollowedSubject>(folder, std::move(scene), std::move(inputs), first,
+                                             &watch);
 }
 
 }  // namespace fumon

@@ -33,8 +33,8 @@ namespace {
 
 class StoredSubject : public ViewSubject {
   public:
-    StoredSubject(const fs::path& folder, int threads, const std::vector<std::string>& settings)
-        : folder_(folder), beds_(folder, threads, settings) {}
+    StoredSubject(StoredBeds beds, fs::path measurements)
+        : measurements_(std::move(measurements)), beds_(std::move(beds)) {}
 
     [[nodiscard]] std::string name() const override { return beds_.name(); }
     [[nodiscard]] const Scene& scene() const override { return beds_.scene(); }
@@ -61,7 +61,7 @@ class StoredSubject : public ViewSubject {
     }
 
     [[nodiscard]] std::vector<ViewColumn> measurements() override {
-        return measurements_of(folder_ / "measurements.csv");
+        return measurements_of(measurements_);
     }
 
     [[nodiscard]] ViewWork work() override {
@@ -72,7 +72,7 @@ class StoredSubject : public ViewSubject {
     [[nodiscard]] std::vector<fs::path> files() const override { return beds_.files(); }
 
   private:
-    fs::path folder_;
+    fs::path measurements_;
     std::mutex mutex_;  ///< of what keeps beds
     StoredBeds beds_;
 };
@@ -81,7 +81,11 @@ class StoredSubject : public ViewSubject {
 
 std::unique_ptr<ViewSubject> stored_subject(const fs::path& folder, int threads,
                                             const std::vector<std::string>& settings) {
-    return std::make_unique<StoredSubject>(folder, threads, settings);
+    return stored_subject(StoredBeds(folder, threads, settings), folder / "measurements.csv");
+}
+
+std::unique_ptr<ViewSubject> stored_subject(StoredBeds beds, fs::path measurements) {
+    return std::make_unique<StoredSubject>(std::move(beds), std::move(measurements));
 }
 
 }  // namespace fumon

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "film/beds/stored_beds.h"
 #include "view/subject/subject.h"
 
 namespace fumon {
@@ -12,6 +13,9 @@ namespace fumon {
 /// A finished run by the beds that it stored. Throws as StoredBeds.
 std::unique_ptr<ViewSubject> stored_subject(const std::filesystem::path& folder, int threads,
                                             const std::vector<std::string>& settings);
+
+/// The same of stored beds, with a table of measurements; there may be none.
+std::unique_ptr<ViewSubject> stored_subject(StoredBeds beds, std::filesystem::path measurements);
 
 /// The columns of a table of measurements, of its whole lines alone: another program may be
 /// writing it. None where there is no such file.

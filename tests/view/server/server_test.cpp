@@ -84,12 +84,21 @@ TEST_F(ViewServer, EveryAnswerForbidsWhatComesFromElsewhere) {
 TEST_F(ViewServer, LimitsWhatARequestHolds) {
     HttpLimits limits;
     limits.body_bytes = 100;
+    limits.upload_bytes = 1000;
     serve(limits);
-    EXPECT_EQ(status_of(ask(port_, "POST", base_, "127.0.0.1", "", std::string(101, 'x'))), "413");
+    const auto status_of_body = [&](const std::string& path, std::size_t bytes) {
+        return status_of(
+            ask(port_, "POST", base_ + path, "127.0.0.1", "", std::string(bytes, 'x')));
+    };
+    EXPECT_EQ(status_of_body("", 101), "413");
+    EXPECT_EQ(status_of_body("a/terrain", 101), "413");
+    EXPECT_EQ(status_of_body("terrain", 1001), "413");
+    EXPECT_EQ(status_of(ask(port_, "POST", base_, "127.0.0.1", "Content-Length: 1x\r\n")), "413");
     EXPECT_EQ(status_of(ask(port_, "GET", base_ + std::string(1U << 14U, 'x'))), "414");
     for (const char* more : {"Transfer-Encoding: chunked\r\n", "Content-Encoding: gzip\r\n", ""})
         EXPECT_EQ(status_of(ask(port_, "POST", base_, "127.0.0.1", more)), "411") << more;
     EXPECT_EQ(asked_, 0);
+    EXPECT_EQ(status_of_body("terrain", 101), "200");
 }
 
 TEST_F(ViewServer, TwoHundredClientsOnThreadsAndCutRequestsLeaveItAlive) {

@@ -17,7 +17,7 @@ std::vector<std::string> settings_in(const nlohmann::ordered_json& json);
 
 /// {client, settings, moment, width, height, draft, eye, target}, all but the first left out as
 /// needed. Throws InputError where one is of the wrong kind.
-PictureWish wish_in(const nlohmann::ordered_json& json);
+ViewRequest picture_request_in(const nlohmann::ordered_json& json);
 
 /// Its "eye" and "target", three finite numbers each. Throws InputError.
 CameraPlace place_in(const nlohmann::ordered_json& json);

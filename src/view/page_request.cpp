@@ -1,4 +1,4 @@
-#include "view/page_wish.h"
+#include "view/page_request.h"
 
 #include <fmt/format.h>
 
@@ -75,26 +75,26 @@ CameraPlace place_in(const Json& json) {
     });
 }
 
-PictureWish wish_in(const Json& json) {
+ViewRequest picture_request_in(const Json& json) {
     return read_from_page([&] {
-        PictureWish wish;
+        ViewRequest request;
         constexpr std::size_t longest_name = 64;
-        wish.client = json.value("client", std::string()).substr(0, longest_name);
-        wish.settings = settings_in(json);
+        request.client = json.value("client", std::string()).substr(0, longest_name);
+        request.settings = settings_in(json);
         const std::int64_t moment = json.contains("moment") ? whole_number(json.at("moment")) : 0;
         if (moment < 0) throw InputError("moment is from 0 on");
-        wish.moment = static_cast<std::size_t>(moment);
-        wish.width = pixels_in(json, "width");
-        wish.height = pixels_in(json, "height");
-        wish.draft = json.value("draft", false);
-        if (wish.draft && (wish.width == 0 || wish.height == 0)) {
+        request.moment = static_cast<std::size_t>(moment);
+        request.width = pixels_in(json, "width");
+        request.height = pixels_in(json, "height");
+        request.draft = json.value("draft", false);
+        if (request.draft && (request.width == 0 || request.height == 0)) {
             constexpr int usual_width = 640;
             constexpr int usual_height = 360;
-            wish.width = usual_width;
-            wish.height = usual_height;
+            request.width = usual_width;
+            request.height = usual_height;
         }
-        if (json.contains("eye") && !json.at("eye").is_null()) wish.place = place_in(json);
-        return wish;
+        if (json.contains("eye") && !json.at("eye").is_null()) request.place = place_in(json);
+        return request;
     });
 }
 
