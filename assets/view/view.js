@@ -142,6 +142,7 @@ async function start() {
   camera.start();
   stage.start();
   watch();
+  if (window.parent !== window) window.parent.postMessage("fumon view", "*");  // a notebook's page, which then shows it
 }
 
 start().catch((refusal) => stage.complain(refusal.message));

@@ -8,6 +8,7 @@
     fumon.measure(heights, cell_size=30)        # its wavelengths, slopes, dunes …
     fumon.raster(heights, "slope", cell_size=30)  # also aspect, hillshade, drainage, wetness
     fumon.movie(beds, "growth.mp4", cell_size=30)
+    fumon.view(scene)                           # in a browser, to be turned, lit and played
     fumon.Bmi()                                 # a model for others to step and change
     fumon.figure_axes(ax, scene)                # a view or map in axes of Matplotlib; also fumon.colormap("batlow")
     fumon.compare(image, other), fumon.fingerprint(image)
@@ -44,6 +45,7 @@ from .movies import Movie, movie  # noqa: E402
 from .rasters import raster  # noqa: E402
 from .scene import Run, Scene, Step  # noqa: E402
 from .terrain import measure, render, render_layers  # noqa: E402
+from .views import View, view  # noqa: E402
 
 try:
     from . import accessor as _accessor  # noqa: F401,E402
@@ -59,5 +61,6 @@ def pin_rendering() -> None:
 
 __all__ = [
     "Bmi", "Comparison", "Error", "FigureAxes", "Image", "InputError", "Layers", "Measures", "Movie", "Run", "Scene", "Step",
-    "colormap", "compare", "figure_axes", "fingerprint", "measure", "movie", "pin_rendering", "raster", "render", "render_layers",
+    "View", "colormap", "compare", "figure_axes", "fingerprint", "measure", "movie", "pin_rendering", "raster", "render", "render_layers",
+    "view",
 ]
