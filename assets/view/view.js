@@ -192,6 +192,7 @@ async function start() {
   stage.start();
   watch();
   if (subject.job) at("tab-job").click();
+  if (window.parent !== window) window.parent.postMessage("fumon view", "*");  // a notebook's page, which then shows it
 }
 
 start().catch((refusal) => stage.complain(refusal.message));

@@ -12,35 +12,30 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/worker_pool.h"
 #include "cli/command.h"
 #include "cli/examples.h"
 #include "cli/remark.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
-#include "drape/lay_drape.h"
-#include "drape/lay_layers.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
 #include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_record.h"
 #include "files/terrain/terrain_format.h"
 #include "foreign/open_run.h"
-#include "mesh/coloured_mesh.h"
-#include "mesh/glb.h"
+#include "mesh/drawn/surface_file.h"
 #include "mesh/height_mesh.h"
-#include "mesh/stl.h"
 #include "mesh/vtk.h"
 #include "mesh/vtk_section.h"
 #include "outputs/output_claims.h"
-#include "picture/png.h"
 #include "rasters/raster_files.h"
 #include "run/drawing.h"
-#include "run/frame_painter.h"
 #include "run/inputs/scene_argument.h"
 #include "run/still.h"
 #include "scene/initial_bed.h"
 #include "scene/terrain_scene.h"
+#include "web/page_run.h"
+#include "web/run_page.h"
 
 namespace fumon {
 
@@ -53,19 +48,21 @@ struct ExportKind {
     std::string_view terrain{};
 };
 
-constexpr std::array<ExportKind, 10> export_kinds{
+constexpr std::array<ExportKind, 11> export_kinds{
     {{"vts", ".vts"},
      {"pvd", ".pvd"},
      {"glb", ".glb"},
      {"stl", ".stl"},
      {"ply", ".ply"},
      {"obj", ".obj"},
+     {"html", ".html"},
      {"netcdf", ".nc"},
      {"cloud-optimized-geotiff", ".cog.tif", "cloud-optimized-geotiff"},
      {"geotiff", ".tif", "geotiff"},
      {"esri-ascii", ".asc", "esri-ascii"}}};
 
 constexpr std::int64_t last_record = -1;
+constexpr double as_it_is = 0.0;
 
 struct ExportOptions {
     std::string input;   ///< a run's folder, a fields.nc or a terrain file
@@ -73,14 +70,19 @@ struct ExportOptions {
     std::string as;      ///< the name of a kind; empty: by the file's ending
     std::string field;   ///< of a grid; empty: the heights
     std::string heights;
-    double exaggeration = 1.0;
+    double exaggeration = as_it_is;
     double size = 150.0;  ///< mm, of the longer side of an STL
     double base = 4.0;    ///< mm, below its lowest point
     std::int64_t triangles = 500'000;
     std::int64_t step = last_record;
+    std::int64_t beds = PageOptions::usual_beds;
     bool force = false;
     WorkOptions work;
 };
+
+double vertical(const ExportOptions& options) {
+    return options.exaggeration == as_it_is ? 1.0 : options.exaggeration;
+}
 
 void declare(CLI::App& command, ExportOptions& options) {
     command
@@ -91,7 +93,8 @@ void declare(CLI::App& command, ExportOptions& options) {
         .add_option(
             "-o,--output", options.output,
             "VTK for ParaView (.vts, or .pvd with a .vts for each record of fields.nc), GLB "
-            "for slides (.glb), STL for printing (.stl), a coloured mesh (.ply, .obj), a grid of "
+            "for slides (.glb), a page to turn in any browser (.html), STL for printing (.stl), a "
+            "coloured mesh (.ply, .obj), a grid of "
             "heights or of --field (.asc, .tif, .cog.tif, .nc); - is standard output")
         ->type_name("FILE")
         ->required();
@@ -109,15 +112,19 @@ void declare(CLI::App& command, ExportOptions& options) {
                                words_as_name(raster_names())));
     constexpr double largest = 1e6;
     add_number(command, "--exaggeration", options.exaggeration, 1e-6, largest,
-               "vertical, also of a hillshade (default 1)");
+               "vertical, also of a hillshade (default 1; of .html that of pictures)");
     add_number(command, "--size", options.size, 1, largest,
                "millimetres of an STL's longer side (default 150)");
     add_number(command, "--base", options.base, 0.1, largest,
                "millimetres below its lowest point (default 4)");
     constexpr double most = 5e7;
+    constexpr double most_page_beds = 400;
     add_number(
         command, "--triangles", options.triangles, 2, most,
-        "of the surface of a GLB, STL, PLY or OBJ at most, else it gets coarser (default 500000)");
+        "of the surface of a GLB, HTML, STL, PLY or OBJ at most, else it gets coarser (default "
+        "500000)");
+    add_number(command, "--beds", options.beds, 1, most_page_beds,
+               "of a run in .html at most, evenly among those that it stored (default 100)");
     constexpr double latest = 9e15;
     add_number(command, "--step", options.step, 0, latest,
                "of a run's folder or fields.nc: the record of this step (default: the last)");
@@ -129,76 +136,17 @@ void declare(CLI::App& command, ExportOptions& options) {
         command,
         {{"fumon export dem.asc -o dem.stl --size 200 --exaggeration 2", "to be printed"},
          {"fumon export out/rain -o rain.pvd", "a run, for ParaView"},
+         {"fumon export out/dunes -o dunes.html", "a run to turn and play, for anybody's browser"},
          {"fumon export out/dunes -o bed.tif", "its last bed, for GIS"},
          {"fumon export dem.tif -o slope.tif --field slope", "a grid of slopes"},
          {"fumon export out/rain -o depth.tif --field water-depth", "of a run's last record"},
          {"fumon export out/rain -o before.tif --step 0", "of its first"},
          {"fumon export out/dunes -o - | awk 'NR > 6' > bed.txt", "to a program"}},
         raster_help() +
-            "\nGLB, PLY and OBJ have the colours of a picture from above: --set look.palette=… "
+            "\nHTML, GLB, PLY and OBJ have the colours of a picture from above: --set "
+            "look.palette=… "
             "and all other "
             "looks change it.");
-}
-
-/// A surface as it is printed: its longer side `size` millimetres, standing on z = 0.
-Mesh printed(const HeightMesh& surface, double size, double base) {
-    Mesh top = surface.top;
-    double longest = 0.0;
-    MeshPoint low = top.points.front();
-    MeshPoint high = low;
-    for (const MeshPoint& point : top.points) {
-        low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
-        high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
-    }
-    longest = std::max(high.x - low.x, high.y - low.y);
-    const double scale = size / longest;
-    for (MeshPoint& point : top.points) {
-        point = {(point.x - low.x) * scale, (point.y - low.y) * scale,
-                 (point.z - low.z) * scale + base};
-    }
-    return closed_solid(top, 0.0);
-}
-
-/// The bed from above, as far as it reaches and with nothing over it.
-Image picture_from_above(const ExportOptions& options, const std::string& input,
-                         const Snapshot& snapshot) {
-    constexpr double longer_side = 2048.0;  // pixels
-    Scene scene = terrain_scene(input, options.heights, options.work.settings);
-    scene.view.overlays.clear();
-    scene.view.camera = {};
-    scene.view.camera.projection = Projection::map;
-    scene.view.camera.margin = 0.0;
-    scene.view.sun.haze = 0.0;
-    const double width = snapshot.bed.nx() * snapshot.scale.dx;
-    const double height = snapshot.bed.ny() * snapshot.scale.dy;
-    const double pixels = longer_side / std::max(width, height);
-    scene.view.image.width = std::max(16L, std::lround(width * pixels));
-    scene.view.image.height = std::max(16L, std::lround(height * pixels));
-    InitialBed drawn;
-    drawn.bed = snapshot.bed;
-    drawn.scale = snapshot.scale;
-    lay_drape(scene, drawn);
-    lay_layers(scene, drawn);
-    if (!drawn.note.empty()) remark(drawn.note + "\n");
-    WorkerPool pool(options.work.threads, "fumon-render");
-    const auto painter = make_frame_painter(scene, snapshot, options.work.backend, pool,
-                                            PaintedContent::one_picture);
-    return painter->paint(snapshot, {});
-}
-
-/// Of each point of a surface, in a picture from above.
-std::vector<PointColour> colours_of(const HeightMesh& mesh, const Image& picture) {
-    std::vector<PointColour> colours;
-    colours.reserve(mesh.places.size());
-    const auto pixel = [](double place, int pixels) {
-        return std::clamp(static_cast<int>(place * pixels), 0, pixels - 1);
-    };
-    for (const auto& [east, north] : mesh.places) {
-        const std::uint8_t* rgb = picture.row(pixel(1.0 - north, picture.height)) +
-                                  3 * static_cast<std::size_t>(pixel(east, picture.width));
-        colours.push_back({rgb[0], rgb[1], rgb[2]});
-    }
-    return colours;
 }
 
 void report_coarser(const HeightMesh& mesh) {
@@ -246,11 +194,11 @@ void write_series(const ExportOptions& options, const std::string& input, Output
             write_file(file, bytes);
             written.back().files.push_back(file.filename().string());
         };
-        write(moment_file(options.output, n), vts_file(snapshot, options.exaggeration));
+        write(moment_file(options.output, n), vts_file(snapshot, vertical(options)));
         if (!snapshot.section) continue;
-        write(air_file(n), vts_section_file(*snapshot.section, time, options.exaggeration));
+        write(air_file(n), vts_section_file(*snapshot.section, time, vertical(options)));
         if (has_paths)
-            write(paths_file(n), vtp_paths_file(*snapshot.section, time, options.exaggeration));
+            write(paths_file(n), vtp_paths_file(*snapshot.section, time, vertical(options)));
     }
     write_file(options.output, pvd_file(written));
     remark(fmt::format("{}: {} record{} of {}\n", options.output, written.size(),
@@ -285,12 +233,12 @@ const ExportKind& kind_of(const ExportOptions& options) {
 
 std::string mesh_file(const ExportOptions& options, const ExportKind& kind, const HeightMesh& mesh,
                       const std::string& input, const Snapshot& snapshot) {
-    if (kind.name == "stl") return stl_file(printed(mesh, options.size, options.base));
-    const Image picture = picture_from_above(options, input, snapshot);
-    if (kind.name == "glb")
-        return glb_file(mesh, encode_png(picture, screen_dots_per_inch, own_text()));
-    const std::vector<PointColour> colours = colours_of(mesh, picture);
-    return kind.name == "ply" ? ply_file(mesh.top, colours) : obj_file(mesh.top, colours);
+    if (kind.name == "stl") return printed_file(mesh, options.size, options.base);
+    std::string note;
+    const Image picture = picture_from_above(
+        terrain_scene(input, options.heights, options.work.settings), snapshot, options.work, note);
+    if (!note.empty()) remark(note + "\n");
+    return coloured_file(kind.name, mesh, picture);
 }
 
 bool is_coloured(const ExportKind& kind) {
@@ -304,7 +252,7 @@ RasterRequest raster_request(const ExportOptions& options, const std::string& in
     HillLight& light = request.light;
     if (scene.set_on_command_line("sun.azimuth")) light.azimuth = scene.view.sun.azimuth;
     if (scene.set_on_command_line("sun.elevation")) light.elevation = scene.view.sun.elevation;
-    light.exaggeration = options.exaggeration;
+    light.exaggeration = vertical(options);
     return request;
 }
 
@@ -334,6 +282,29 @@ std::string state_file(const ExportOptions& options) {
         options.step, input));
 }
 
+/// A run, or a bed, as one page for browsers.
+void write_page(const ExportOptions& options, OutputClaims& claims) {
+    const std::optional<std::int64_t> step =
+        options.step == last_record ? std::nullopt : std::optional(options.step);
+    std::optional<PageRun> run;
+    if (options.heights.empty())
+        run = stored_page_run(options.input, options.work.threads, options.work.settings, step);
+    if (!run) {
+        const std::string input = state_file(options);
+        std::string note;
+        run = single_page_run(input, terrain_scene(input, options.heights, options.work.settings),
+                              snapshot_of(options, input), note);
+        if (!note.empty()) remark(note + "\n");
+    }
+    claims.reads(run->files);
+    claims.writes(options.output);
+    PageOptions page;
+    page.beds = static_cast<std::size_t>(options.beds);
+    page.exaggeration = options.exaggeration;
+    page.most_triangles = static_cast<std::size_t>(options.triangles);
+    write_file(options.output, page_file(*run, page, options.work));
+}
+
 /// The files of a kind that is not a series: the first is FILE itself, others stand beside it.
 std::vector<TerrainBytes> exported(const ExportOptions& options, const ExportKind& kind,
                                    const std::string& input) {
@@ -343,11 +314,11 @@ std::vector<TerrainBytes> exported(const ExportOptions& options, const ExportKin
     std::vector<TerrainBytes> files;
     if (!kind.terrain.empty()) return bed_files(snapshot, std::array{std::string(kind.terrain)});
     if (kind.name == "vts") {
-        files.push_back({".vts", vts_file(snapshot, options.exaggeration)});
+        files.push_back({".vts", vts_file(snapshot, vertical(options))});
         return files;
     }
     const HeightMesh mesh =
-        height_mesh(snapshot, options.exaggeration, static_cast<std::size_t>(options.triangles));
+        height_mesh(snapshot, vertical(options), static_cast<std::size_t>(options.triangles));
     report_coarser(mesh);
     files.push_back({std::string(kind.ending), mesh_file(options, kind, mesh, input, snapshot)});
     return files;
@@ -372,6 +343,7 @@ void check_kind(const ExportOptions& options, const ExportKind& kind) {
     if (to_standard_output(options)) {
         if (kind.name == "pvd") throw InputError("-o -: a .pvd names its .vts files; name a file");
         if (kind.name == "netcdf") throw InputError("-o -: a NetCDF file needs a name");
+        if (kind.name == "html") throw InputError("-o -: a page needs a name; name a file");
         if (kind.name != "esri-ascii") refuse_terminal("the exported file is binary", "bed.tif");
         return;
     }
@@ -384,8 +356,13 @@ void check_kind(const ExportOptions& options, const ExportKind& kind) {
 int perform(const ExportOptions& options) {
     const ExportKind& kind = kind_of(options);
     check_kind(options, kind);
-    const std::string input = state_file(options);
     OutputClaims claims(options.force);
+    if (kind.name == "html") {
+        prepare_drawing(options.work);
+        write_page(options, claims);
+        return 0;
+    }
+    const std::string input = state_file(options);
     claims.reads(input);
     if (is_coloured(kind)) prepare_drawing(options.work);
     if (to_standard_output(options)) {
@@ -415,11 +392,11 @@ int perform(const ExportOptions& options) {
 }  // namespace
 
 Command export_command() {
-    return make_command<ExportOptions>(
-        "export",
-        "a bed, or a run's fields, for ParaView (VTK), slides "
-        "(GLB), printers (STL), meshes (PLY, OBJ) and GIS (heights, slope, drainage …)",
-        declare, perform);
+    return make_command<ExportOptions>("export",
+                                       "a bed, or a run's fields, for ParaView (VTK), slides "
+                                       "(GLB), browsers (HTML), printers (STL), meshes (PLY, OBJ) "
+                                       "and GIS (heights, slope, drainage …)",
+                                       declare, perform);
 }
 
 }  // namespace fumon

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/data_files.h"
@@ -14,6 +16,9 @@
 #include "files/input_file.h"
 #include "gallery/gallery_page.h"
 #include "outputs/output_claims.h"
+#include "run/terminal/work_options.h"
+#include "web/page_run.h"
+#include "web/run_page.h"
 
 namespace fumon {
 
@@ -26,6 +31,7 @@ struct GalleryOptions {
     std::string folder = "gallery";
     std::string title = "Landforms";
     bool shipped = false;
+    bool pages = false;
     bool force = false;
 };
 
@@ -37,9 +43,13 @@ void declare(CLI::App& command, GalleryOptions& options) {
         ->capture_default_str();
     command.add_option("--title", options.title, "what stands above it")->capture_default_str();
     command.add_flag("--shipped", options.shipped, "the pictures of the scenes that fumon ships");
+    command.add_flag("--pages", options.pages,
+                     "for each run that stored beds a page that turns and plays it, as "
+                     "fumon export makes it");
     add_force(command, options.force);
     add_examples(command,
                  {{"fumon gallery out -o gallery", "of all runs and files below out"},
+                  {"fumon gallery out --pages -o gallery", "with runs that one can turn"},
                   {"fumon gallery --shipped -o shipped", "of the scenes that fumon ships"}},
                  "DIR/index.html opens in any browser, without a network; to pass the gallery on, "
                  "copy the folder.");
@@ -62,14 +72,39 @@ bool is_own_gallery(const fs::path& folder) {
            start_of_input_file(page, head).find(own_gallery_mark) != std::string::npos;
 }
 
+/// A run of an item, and its page among the item's files.
+struct PlannedPage {
+    PageRun run;
+    fs::path to;
+};
+
+/// Gives items of runs that stored beds a page.
+std::vector<PlannedPage> planned_pages(std::vector<GalleryItem>& items, const fs::path& folder) {
+    std::vector<PlannedPage> pages;
+    for (GalleryItem& item : items) {
+        if (item.run.empty()) continue;
+        try {
+            std::optional<PageRun> run = stored_page_run(item.run.string(), 0, {});
+            if (!run) continue;
+            item.page = item.name + ".html";
+            pages.push_back({*std::move(run), folder / "files" / item.page});
+        } catch (const InputError& fault) {
+            remark(fmt::format("{}: no page to turn: {}\n", item.name, fault.what()));
+        }
+    }
+    return pages;
+}
+
 int perform(const GalleryOptions& options) {
     std::vector<fs::path> from{options.from.begin(), options.from.end()};
     if (options.shipped) from.push_back(shipped_pictures());
     if (from.empty())
         throw InputError("fumon gallery: FROM is missing; try `fumon gallery --help`");
-    const std::vector<GalleryItem> items = gallery_items(from);
+    std::vector<GalleryItem> items = gallery_items(from);
     const fs::path folder = options.folder;
     check_output_folder(folder, "the gallery");
+    std::vector<PlannedPage> pages;
+    if (options.pages) pages = planned_pages(items, folder);
 
     struct Written {
         fs::path to;
@@ -88,6 +123,8 @@ int perform(const GalleryOptions& options) {
     OutputClaims claims(options.force);
     for (const Written& written : all) claims.reads(written.file->source);
     for (const Written& written : all) claims.check(written.to, own);
+    for (const PlannedPage& page : pages) claims.reads(page.run.files);
+    for (const PlannedPage& page : pages) claims.check(page.to, own);
     claims.check(folder / "index.html", own);
     const std::string page = gallery_page(options.title, items);
 
@@ -102,6 +139,10 @@ int perform(const GalleryOptions& options) {
             copy_whole(file->source, to);
         }
     }
+    WorkOptions work;
+    if (makes_no_remarks()) work.verbosity = Verbosity::quiet;
+    for (const PlannedPage& planned : pages)
+        write_file(planned.to, page_file(planned.run, {}, work));
     write_file(folder / "index.html", page);
     remark(
         fmt::format("{}: {} pictures and films\n", (folder / "index.html").string(), items.size()));

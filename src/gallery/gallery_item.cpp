@@ -246,6 +246,7 @@ class Gathering {
         item.name = free_name(folder.filename().empty() ? folder.parent_path().filename().string()
                                                         : folder.filename().string());
         item.kind = "run";
+        item.run = folder;
         item.title = item.name;
         item.description = item.title;
         const fs::path movie = folder / "movie.mp4";

@@ -33,6 +33,8 @@ struct GalleryItem {
     std::vector<GalleryFile> plots;    ///< SVG
     std::vector<std::string> again;    ///< commands that make it again, from the gallery's folder
     std::vector<GalleryParameter> parameters;
+    std::filesystem::path run;  ///< the folder of a run
+    std::string page;           ///< among `files`: one that turns the run, where there is one
 };
 
 /// The items of what fumon made: of a run's folder (its movie or last frame, plots of its

@@ -86,6 +86,16 @@ std::string again(const GalleryItem& item) {
         commands);
 }
 
+/// A page that turns the run, loaded once it is seen.
+std::string turned(const GalleryItem& item) {
+    if (item.page.empty()) return "";
+    return fmt::format(
+        "<h3>Turn it</h3>\n<iframe src=\"{0}\" loading=\"lazy\" title=\"{1}, to be "
+        "turned\"></iframe>\n"
+        "<p class=\"turn\"><a href=\"{0}\">{1} on a page of its own</a></p>\n",
+        file_link(item.page), markup_text(item.title));
+}
+
 std::string sheet(const GalleryItem& item) {
     std::string plots;
     for (const GalleryFile& plot : item.plots) plots += picture(plot.name, plot.description);
@@ -100,9 +110,9 @@ std::string sheet(const GalleryItem& item) {
         "<dialog id=\"{}\" data-kind=\"{}\" aria-label=\"{}\">\n<div "
         "class=\"shown\">{}</div>\n<div "
         "class=\"told\">\n"
-        "<h2>{}</h2>\n{}{}{}{}<ul class=\"files\">{}</ul>\n</div>\n</dialog>\n",
+        "<h2>{}</h2>\n{}{}{}{}{}<ul class=\"files\">{}</ul>\n</div>\n</dialog>\n",
         markup_text(item.name), item.kind, markup_text(item.title), shown_file(item, false),
-        markup_text(item.title), caption, again(item),
+        markup_text(item.title), caption, turned(item), again(item),
         plots.empty() ? "" : "<div class=\"plots\">" + plots + "</div>\n", parameters(item), files);
 }
 

@@ -54,7 +54,8 @@ bool is_own_text(const std::filesystem::path& file, std::string_view head) {
         return head.find(mark) != std::string_view::npos;
     };
     if (head.starts_with("<?xml") && has(own_junit_mark)) return true;
-    if (head.starts_with("<!DOCTYPE html>") && has(own_page_mark)) return true;
+    if (head.starts_with("<!DOCTYPE html>") && (has(own_page_mark) || has(own_run_page_mark)))
+        return true;
     if (head.starts_with(own_result_mark)) return true;
     return is_own_scene(head) || is_own_caption(start_of_input_file(file, longest_caption));
 }

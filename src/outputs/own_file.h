@@ -6,10 +6,11 @@
 namespace fumon {
 
 /// By which a text that fumon wrote is known again: how a line of the comments at a scene's head
-/// begins, what is in the head of a page of `fumon verify`, how a record beside its pictures
-/// begins, and how the last line of a figure's caption begins and goes on.
+/// begins, what is in the head of a page of `fumon verify` and of `fumon export`, how a record
+/// beside its pictures begins, and how the last line of a figure's caption begins and goes on.
 inline constexpr std::string_view own_scene_mark = "# Written by fumon ";
 inline constexpr std::string_view own_page_mark = "content=\"fumon verify\"";
+inline constexpr std::string_view own_run_page_mark = "content=\"fumon export\"";
 inline constexpr std::string_view own_result_mark = "# Got by `fumon verify`";
 inline constexpr std::string_view own_caption_mark = "Made from ";
 inline constexpr std::string_view own_caption_maker = " by fumon ";

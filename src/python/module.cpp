@@ -23,6 +23,7 @@ void define(pybind11::module_& core) {
     define_pictures(core);
     define_movies(core);
     define_sweeps(core);
+    define_views(core);
     define_components(core);
     define_picture_tests(core);
 }

@@ -19,6 +19,7 @@ void define_projections(pybind11::module_& core);
 void define_pictures(pybind11::module_& core);
 void define_movies(pybind11::module_& core);
 void define_sweeps(pybind11::module_& core);
+void define_views(pybind11::module_& core);
 void define_components(pybind11::module_& core);
 void define_picture_tests(pybind11::module_& core);
 

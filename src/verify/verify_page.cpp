@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "figure/canvas/packed_text.h"
 #include "outputs/own_file.h"
 #include "picture/markup.h"
 #include "verify/got_records.h"
@@ -80,23 +81,6 @@ for (const section of document.querySelectorAll("section.pair")) {
 </html>
 )html";
 
-/// RFC 4648.
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        std::uint32_t three = 0;
-        for (std::size_t j = 0; j < 3; ++j)
-            three = (three << 8U) | (j < count ? static_cast<std::uint8_t>(bytes[i + j]) : 0U);
-        for (std::size_t j = 0; j < 4; ++j)
-            text += j <= count ? digits[(three >> (18 - 6 * j)) & 63U] : '=';
-    }
-    return text;
-}
-
 void remove_file(const std::filesystem::path& file) {
     std::error_code fault;
     std::filesystem::remove(file, fault);
@@ -142,7 +126,7 @@ std::string section_text(const std::string& suite, const std::string& name, cons
             "<figure><img class=\"{}\" alt=\"{} {}: {}\" "
             "src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>\n",
             one.shown_as, markup_text(suite), markup_text(name), one.caption,
-            base64(one.hatched.empty() ? one.png : one.hatched), one.caption);
+            base64_text(one.hatched.empty() ? one.png : one.hatched), one.caption);
     }
     return text + "</div>\n</section>\n";
 }

@@ -43,12 +43,12 @@ def test_the_blocks_on_coupling_run(tmp_path, monkeypatch, capsys):
 def test_the_blocks_on_a_notebook_run(tmp_path, monkeypatch, capsys):
     page = (GUIDE.parent / "notebook.md").read_text()
     blocks = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
-    assert len(blocks) == 3
+    assert len(blocks) == 4
     monkeypatch.chdir(tmp_path)
     names = {}
     for block in blocks:
         exec(compile(block, "notebook.md", "exec"), names)
-    assert capsys.readouterr().out == "('bed.high', 'model.creep_rate')\nTrue\n"
+    assert capsys.readouterr().out == "('bed.high', 'model.creep_rate')\nTrue\nTrue\n"
 
 
 def test_the_block_in_cpp_runs(tmp_path):

@@ -3,81 +3,20 @@
 // "watch" of `fumon run --view`, whose run is watched to its end, "sweep" of `fumon view SWEEP`, "scene" of `fumon view SCENE`,
 // where other values of the model are computed and dem.asc is opened and filmed by the keyboard alone.
 "use strict";
-const { spawn } = require("child_process");
 const fs = require("fs");
-const os = require("os");
-const path = require("path");
 const [program, what, address, folder] = process.argv.slice(2);
-
-const profile = fs.mkdtempSync(path.join(os.tmpdir(), "fumon-view-"));
-const browser = spawn(program, ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars",
-  "--remote-debugging-pipe", `--user-data-dir=${profile}`], { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
-const waiting = new Map();
-const faults = [];
-let last = 0;
-let text = "";
-let session;
-browser.stdio[4].on("data", (data) => {
-  text += data;
-  for (let end; (end = text.indexOf("\0")) >= 0; text = text.slice(end + 1)) heard(JSON.parse(text.slice(0, end)));
-});
-
-function heard(told) {
-  if (told.id) {
-    const { done, failed } = waiting.get(told.id);
-    waiting.delete(told.id);
-    if (told.error) failed(new Error(told.error.message)); else done(told.result);
-  } else if (told.method === "Runtime.exceptionThrown") {
-    faults.push("script: " + (told.params.exceptionDetails.exception?.description ?? told.params.exceptionDetails.text));
-  } else if (told.method === "Log.entryAdded" && told.params.entry.level === "error") {
-    faults.push(`log: ${told.params.entry.text} ${told.params.entry.url ?? ""}`);
-  }
-}
-
-function send(method, params = {}) {
-  return new Promise((done, failed) => {
-    waiting.set(++last, { done, failed });
-    browser.stdio[3].write(JSON.stringify({ id: last, method, params, sessionId: session }) + "\0");
-  });
-}
-
-const pause = (ms) => new Promise((done) => setTimeout(done, ms));
-
-async function evaluate(expression) {
-  const { result, exceptionDetails } = await send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true });
-  if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
-  return result.value;
-}
-
-async function until(expression, what) {
-  for (let i = 0; i < 300; ++i) {
-    if (await evaluate(expression)) return;
-    await pause(100);
-  }
-  throw new Error(`${what}: ${await evaluate("[location.pathname.slice(33), document.getElementById('message')?.textContent, document.getElementById('told')?.textContent, document.getElementById('state')?.textContent].join(' | ')")}`);
-}
+const browser = require("./browser.js").open(program, ["--disable-gpu"]);
+const { evaluate, faults, send, pause, size } = browser;
+const until = (expression, what) => browser.until(expression, what,
+  "[location.pathname.slice(33), document.getElementById('message')?.textContent, document.getElementById('told')?.textContent, document.getElementById('state')?.textContent].join(' | ')");
 
 const wholeIsSeen = "document.getElementById('picture').dataset.kind === 'whole' && !document.getElementById('stage').hasAttribute('aria-busy')";
 const click = (id) => evaluate(`document.getElementById(${JSON.stringify(id)}).click()`);
 
-async function screenshot(name) {
-  if (!folder) return;
-  fs.mkdirSync(folder, { recursive: true });
-  const { data } = await send("Page.captureScreenshot", { format: "png" });
-  fs.writeFileSync(path.join(folder, name + ".png"), Buffer.from(data, "base64"));
-}
+const screenshot = (name) => browser.screenshot(folder, name);
 
-const size = (width, height, mobile) => send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: mobile ? 2 : 1, mobile });
-
-async function drag(by, buttons = 1, modifiers = 0) {
-  const box = await evaluate("(({x,y,width,height}) => ({x,y,width,height}))(document.getElementById('stage').getBoundingClientRect())");
-  const x = box.x + box.width / 2;
-  const y = box.y + box.height / 2;
-  const mouse = (type, share) => send("Input.dispatchMouseEvent", { type, x: x + share * by[0], y: y + share * by[1], button: "left", buttons, clickCount: 1, modifiers });
-  await mouse("mousePressed", 0);
-  for (let i = 1; i <= 5; ++i) { await mouse("mouseMoved", i / 5); await pause(30); }
-  await mouse("mouseReleased", 1);
-  await pause(200);
+async function drag(...how) {
+  await browser.drag("stage", ...how);
   await until(wholeIsSeen, "no whole picture after a drag");
 }
 
@@ -96,14 +35,6 @@ async function key(id, value) {
 
 async function scrub(moment) {
   await evaluate(`(() => { const slider = document.getElementById('moment'); slider.value = ${moment}; slider.dispatchEvent(new Event('input')); })()`);
-}
-
-async function open() {
-  const { targetId } = await send("Target.createTarget", { url: "about:blank" });
-  session = (await send("Target.attachToTarget", { targetId, flatten: true })).sessionId;
-  for (const domain of ["Page", "Runtime", "Log"]) await send(domain + ".enable");
-  await size(1440, 900, false);
-  await send("Page.navigate", { url: address });
 }
 
 async function useRun() {
@@ -266,13 +197,12 @@ async function useScene() {
 
 const uses = { run: useRun, watch: useWatch, sweep: useSweep, scene: useScene };
 async function use() {
-  await open();
+  await browser.show(address);
   await uses[what]();
   expect(faults.length === 0, faults.join("\n"));
 }
 
 use().then(() => 0, (fault) => { console.error(fault.message); return 1; }).then((status) => {
   if (status) console.error(faults.join("\n"));
-  browser.on("exit", () => { fs.rmSync(profile, { recursive: true, force: true }); process.exit(status); });
-  browser.kill();
+  browser.close(status);
 });

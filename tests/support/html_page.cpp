@@ -42,7 +42,7 @@ std::string attribute(const Tag& tag, const std::string& name) {
 
 bool is_void(const std::string& name) {
     return name == "meta" || name == "link" || name == "img" || name == "br" ||
-           name == "!DOCTYPE" || name == "input" || name == "track";
+           name == "!DOCTYPE" || name == "input" || name == "track" || name == "path";
 }
 
 /// Levels from 0 to 1 of a colour "#rrggbb", made linear by WCAG's formula.

@@ -18,19 +18,6 @@ constexpr std::string_view mark = "deflate:";
 constexpr std::string_view base64 =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-std::string to_base64(std::string_view bytes) {
-    std::string letters;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8U | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k)
-            letters += k > count ? '=' : base64[group >> (18U - 6U * k) & 63U];
-    }
-    return letters;
-}
-
 std::optional<std::string> from_base64(std::string_view letters) {
     std::string bytes;
     std::uint32_t group = 0;
@@ -50,6 +37,20 @@ std::optional<std::string> from_base64(std::string_view letters) {
 
 }  // namespace
 
+std::string base64_text(std::string_view bytes) {
+    std::string letters;
+    letters.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t group = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            group = group << 8U | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        for (std::size_t k = 0; k < 4; ++k)
+            letters += k > count ? '=' : base64[group >> (18U - 6U * k) & 63U];
+    }
+    return letters;
+}
+
 std::string deflated(std::string_view content) {
     constexpr int level = 9;
     const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
@@ -62,7 +63,7 @@ std::string deflated(std::string_view content) {
 }
 
 std::string packed_text(std::string_view text) {
-    return std::string(mark) + to_base64(deflated(text));
+    return std::string(mark) + base64_text(deflated(text));
 }
 
 std::optional<std::string> unpacked_text(std::string_view letters) {

@@ -10,6 +10,7 @@
     fumon.movie(beds, "growth.mp4", cell_size=30)
     fumon.open("flood.nc").film("flood.mp4")    # results of other models; their records, too: fumon.open("flood.nc")[-1].image()
     fumon.film("erosion.mp4")                   # a film of a running model
+    fumon.view(scene)                           # in a browser, to be turned, lit and played
     fumon.Bmi()                                 # a model for others to step and change
     fumon.figure_axes(ax, scene)                # a view or map in axes of Matplotlib; also fumon.colormap("batlow")
     fumon.compare(image, other), fumon.fingerprint(image)
@@ -48,6 +49,7 @@ from .rasters import raster  # noqa: E402
 from .results import Record, Results, open  # noqa: E402
 from .scene import Run, Scene, Step  # noqa: E402
 from .terrain import measure, render, render_layers  # noqa: E402
+from .views import View, view  # noqa: E402
 
 try:
     from . import accessor as _accessor  # noqa: F401,E402
@@ -63,6 +65,6 @@ def pin_rendering() -> None:
 
 __all__ = [
     "Bmi", "Comparison", "Error", "FigureAxes", "GrowingFilm", "Image", "InputError", "Layers", "Measures", "Movie", "Record", "Results",
-    "Run", "Scene", "Step", "colormap", "compare", "figure_axes", "film", "fingerprint", "measure", "movie", "open", "pin_rendering",
-    "raster", "render", "render_layers",
+    "Run", "Scene", "Step", "View", "colormap", "compare", "figure_axes", "film", "fingerprint", "measure", "movie", "open",
+    "pin_rendering", "raster", "render", "render_layers", "view",
 ]

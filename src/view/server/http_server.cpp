@@ -36,18 +36,22 @@ constexpr int unprocessable = 422;
 constexpr int failed = 500;
 constexpr int most_waiting = 256;
 
-/// All that a page loads comes from this server, and no page of others shows it.
-const httplib::Headers& safe_headers() {
-    static const httplib::Headers headers = {
+/// All that a page loads comes from this server, and no page of others shows it; but notebooks of
+/// this machine, where they may.
+httplib::Headers safe_headers(bool in_notebooks) {
+    const std::string shown_by =
+        in_notebooks ? "http://127.0.0.1:* http://localhost:* vscode-webview:" : "'none'";
+    httplib::Headers headers = {
         {"Content-Security-Policy",
          "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob:; "
-         "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+         "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors " +
+             shown_by},
         {"X-Content-Type-Options", "nosniff"},
-        {"X-Frame-Options", "DENY"},
         {"Referrer-Policy", "no-referrer"},
         {"Cross-Origin-Resource-Policy", "same-origin"},
         {"Cross-Origin-Opener-Policy", "same-origin"},
         {"Cache-Control", "no-store"}};
+    if (!in_notebooks) headers.emplace("X-Frame-Options", "DENY");
     return headers;
 }
 
@@ -187,7 +191,7 @@ HttpServer::HttpServer(HttpHandler handler, int port, const HttpLimits& limits)
         const int yes = 1;
         setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     });
-    server.set_default_headers(safe_headers());
+    server.set_default_headers(safe_headers(limits.in_notebooks));
     server.set_payload_max_length(std::max(limits.body_bytes, limits.upload_bytes));
     server.set_keep_alive_timeout(2);
     server.set_read_timeout(5);

@@ -32,6 +32,7 @@ struct HttpLimits {
     std::size_t upload_bytes = 1U << 26U;  ///< of one that uploads a file: POST "terrain"
     std::size_t threads = 48;              ///< requests that are answered at once; others wait
     double first_request_s = 10.0;         ///< within which a connection asks for what it may have
+    bool in_notebooks = false;             ///< pages of this machine may show it in a frame
     double connection_s = 3600.0;          ///< after its last request, however long one is drawn
 };
 
