@@ -144,7 +144,7 @@ TEST_F(RuledLook, ASurveyStandsInLandAndKeepsATableThatItAsksFor) {
     EXPECT_EQ(model.find("ground ="), std::string::npos) << model;
 }
 
-TEST_F(RuledLook, AFloodIsFollowedAtItsFrontAsFastAsItsWaterChanges) {
+TEST_F(RuledLook, AFloodIsFollowedAtItsFrontAndASlopeStaysOnItsTable) {
     const std::string flood = film_of(
         "[model]\nname = \"water\"\ntime_step = 0.1\n[[water]]\nwindow = [0, 0, 20, 16]\ndepth = "
         "3\n[grid]\nnx = 48\nny = 16\n[run]\nsteps = 60\n");
@@ -152,6 +152,11 @@ TEST_F(RuledLook, AFloodIsFollowedAtItsFrontAsFastAsItsWaterChanges) {
     EXPECT_NE(flood.find("follow = true"), std::string::npos) << flood;
     EXPECT_NE(flood.find("pace = \"change\""), std::string::npos) << flood;
     EXPECT_EQ(flood.find("endless"), std::string::npos) << flood;
+    const std::string slope = film_of(
+        "[model]\nname = \"gully\"\nslope = 0.1\nrain = 60\ninitial_water = \"dry\"\n[bed]\nhigh = "
+        "0.1\n[grid]\nnx = 32\nny = 32\ncell_size = [1.0]\n[run]\nsteps = 8\n[look]\nexaggeration "
+        "= 1\n");
+    EXPECT_EQ(slope.find("endless"), std::string::npos) << "nobody surveyed it\n" << slope;
 }
 
 class RuledRun : public ::testing::Test {

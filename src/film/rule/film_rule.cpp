@@ -137,7 +137,7 @@ class RuledFilm {
     [[nodiscard]] std::string land_settings() const {
         const bool plain = runs_.first().scene().view.look.cover == LandCover::bare;
         std::string text =
-            "\n[look]\nground = \"endless\"      # invented land around the survey; without this "
+            "\n[look]\nground = \"endless\"      # invented land around the bed; without this "
             "line the block on its table\n";
         if (plain) text += "cover = \"auto\"          # grass, soil and rock by rule, not data\n";
         text += "survey_edge = \"line\"    # where the data end\ncontrast = 1.1\n";
@@ -284,7 +284,7 @@ class RuledFilm {
         WrittenShot growth = begun(!moves               ? "and from its side"
                                    : pace() == "change" ? "it grows: as much change in each frame"
                                                         : "what happens to it",
-                                   0.3, early, late);
+                                   0.3, early, !is_land() ? late : "\"end\"");
         around(growth, azimuth - 4.0, low, 24.0);
         stand(growth, 11.0, 1.9);
         WrittenShot grown = composed(growth, low);

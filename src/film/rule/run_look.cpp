@@ -271,12 +271,12 @@ RunLook look_at_run(const StoredBeds& beds) {
     if (!look.endless && !look.section && has_no_land &&
         endless_ground_obstacle(view, first) == nullptr)
         look.endless = look.widened = true;
-    if (!look.endless && !look.section && is_surveyed_land(beds, view)) {
+    look.flood = first.landform == Landform::water && !look.section && is_flood(first);
+    if (!look.endless && !look.section && !look.flood && is_surveyed_land(beds, view)) {
         look.endless = look.land = true;
         look.showery = first.rain != nullptr && view.air.clouds == Clouds::none &&
                        first.rain(0.0, beds.beds().back().time)(0, 0) > 0.0;
     }
-    look.flood = first.landform == Landform::water && !look.section && is_flood(first);
     find_pace(beds, look);
     const auto last = beds.heights(beds.beds().size() - 1);
     find_light(beds, *last, look);

@@ -17,7 +17,7 @@ struct RunLook {
     int late = 80;   ///< likewise, four fifths of it
     bool endless = false;           ///< its ground is drawn to the horizon
     bool widened = false;           ///< which its own scene does not ask for
-    bool land = false;              ///< as a survey is, which stands on a table in its own scene
+    bool land = false;              ///< a survey, which stands on a table in its own scene
     bool showery = false;           ///< it rains on that land, and its own scene has no clouds
     bool flood = false;             ///< water deeper than the relief of its bed
     bool section = false;           ///< air over a profile

@@ -55,6 +55,9 @@ Rendering chosen_rendering(const View& view, const Light& light) {
                 look.exposure + (brighter ? around_a_block : 0.0)};
     }
     if (!look.contrast.is_word()) return {look.contrast.value, look.exposure};
+    constexpr double of_covered_land =
+        1.15;  // grass and wet soil are dark, and walls in shade more so
+    if (look.cover == LandCover::automatic) return {of_covered_land, look.exposure};
     constexpr double low = 0.2;  // sines of elevations
     constexpr double high = 0.5;
     double share =
