@@ -123,8 +123,8 @@ struct Arguments {
 
 /// A folder of runs, or results of another model; what else there is may be a film.
 bool names_a_run(const std::string& argument) {
-    constexpr std::array<std::string_view, 6> of_grids{".nc",  ".nc4",  ".asc",
-                                                       ".tif", ".tiff", ".txt"};
+    constexpr std::array<std::string_view, 8> of_grids{".nc",  ".nc4", ".cdf",  ".sww",
+                                                       ".asc", ".tif", ".tiff", ".txt"};
     return is_run_folder(argument) || argument.find_first_of("*?") != std::string::npos ||
            std::ranges::find(of_grids, small_ending(argument)) != of_grids.end();
 }

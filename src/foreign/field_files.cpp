@@ -84,7 +84,7 @@ void add_field_of_file(ForeignRun& run, Quantity quantity, const std::string& so
                         "run need the same grid",
                         files.front().string(), first.values.nx(), first.values.ny(), run.name,
                         run.nx, run.ny));
-    ForeignField field{quantity, source, "", "", "--field", files.size() > 1, {}};
+    ForeignField field{quantity, source, "", "", "--field", files.size() > 1, false, {}};
     if (files.size() > 1) {
         field.read = [files, quantity, cell_size](std::size_t record) {
             return read_raster_file(files.at(record), "", quantity, cell_size).values;

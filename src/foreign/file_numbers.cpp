@@ -174,6 +174,10 @@ bool is_pattern(std::string_view text) {
 std::vector<fs::path> files_of_pattern(const std::string& pattern) {
     const fs::path path(pattern);
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (is_pattern(folder.string()))
+        throw InputError(fmt::format(
+            "{}: * and ? stand for letters of the files' names, not of a folder's; name one folder",
+            pattern));
     std::vector<fs::path> files;
     std::error_code fault;
     for (const auto& entry : fs::directory_iterator(folder, fault)) {

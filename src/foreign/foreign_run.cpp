@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/elementary_angle.h"
 #include "base/error.h"
 #include "base/snapshots/ground_range.h"
 
@@ -54,6 +55,24 @@ Grid velocity_of(const ForeignRun& run, Quantity velocity, Quantity flux, const 
     }
     clear_missing(values);
     return values;
+}
+
+/// Turns velocities toward the east and north to those along the columns and rows.
+void turn_to_sides(const ForeignRun& run, Grid& u, Grid& v) {
+    const auto by_compass = [&](Quantity quantity) {
+        const ForeignField* field = run.find(quantity);
+        return field != nullptr && field->by_compass;
+    };
+    if (run.turn == 0.0 || !by_compass(Quantity::velocity_x) || !by_compass(Quantity::velocity_y))
+        return;
+    const double cosine = elementary::cos(run.turn);
+    const double sine = elementary::sin(run.turn);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        const double east = u.values()[i];
+        const double north = v.values()[i];
+        u.values()[i] = cosine * east + sine * north;
+        v.values()[i] = cosine * north - sine * east;
+    }
 }
 
 Grid bed_values(const ForeignRun& run, std::size_t record) {
@@ -116,6 +135,7 @@ Snapshot foreign_snapshot(const ForeignRun& run, std::size_t record) {
     }
     Grid u = velocity_of(run, Quantity::velocity_x, Quantity::flux_x, depth, record);
     Grid v = velocity_of(run, Quantity::velocity_y, Quantity::flux_y, depth, record);
+    turn_to_sides(run, u, v);
     snapshot.fields.push_back({"water_depth", "depth of the water", "m", std::move(depth)});
     snapshot.fields.push_back({"velocity_x", "velocity along x", "m/s", std::move(u)});
     snapshot.fields.push_back({"velocity_y", "velocity along y", "m/s", std::move(v)});

@@ -16,11 +16,12 @@ namespace fumon {
 /// A field of another model's run, as it was recognised.
 struct ForeignField {
     Quantity quantity = Quantity::bed;
-    std::string name;        ///< the variable, or the pattern of its files
-    std::string unit;        ///< in the file; empty where it names none
-    std::string dimensions;  ///< "time, n, m"; empty for files of their own
-    std::string reason;      ///< how it was known: "CF standard name altitude"
-    bool changes = false;    ///< with time
+    std::string name;         ///< the variable, or the pattern of its files
+    std::string unit;         ///< in the file; empty where it names none
+    std::string dimensions;   ///< "time, n, m"; empty for files of their own
+    std::string reason;       ///< how it was known: "CF standard name altitude"
+    bool changes = false;     ///< with time
+    bool by_compass = false;  ///< a velocity toward the east or north, not along a side of the grid
     /// The values of a record in fumon's unit, row 0 southernmost; NaN where there are none. Throws
     /// InputError for a damaged file.
     std::function<Grid(std::size_t record)> read;
@@ -45,6 +46,7 @@ struct ForeignRun {
     int nx = 0;
     int ny = 0;
     WorldScale scale;
+    double turn = 0.0;                 ///< radians, of the columns' direction against the east
     std::vector<ForeignField> fields;  ///< at most one of a quantity, the bed among them
     std::vector<std::string> others;   ///< further maps: "hmax (timemax, n, m)"
     ForeignTimes times;
@@ -65,7 +67,8 @@ struct ForeignQuery {
 };
 
 /// The snapshot of a record. Cells without a bed are its no-data cells; water shallower than the
-/// run's `dry` is none. Velocities are those of the file, or its discharges over the depth, or 0.
+/// run's `dry` is none. Velocities are those of the file, or its discharges over the depth, or 0;
+/// those by compass are turned to the sides of a turned grid.
 /// Without a bed of its own it is the level minus the depth. Throws InputError for a damaged file
 /// and for a record without any bed.
 Snapshot foreign_snapshot(const ForeignRun& run, std::size_t record);

@@ -298,12 +298,12 @@ NetcdfPlace place_by_planes(const NetcdfInput& input, const BedVariable& map, co
     constexpr double level = 1e-3;
     if (std::abs(east.y) > level * dx || std::abs(north.x) > level * dy) {
         constexpr double degrees_per_radian = 57.29577951308232;
-        const double turn = elementary::atan2(place.columns_fall ? -east.y : east.y,
-                                              place.columns_fall ? -east.x : east.x);
+        place.turn = elementary::atan2(place.columns_fall ? -east.y : east.y,
+                                       place.columns_fall ? -east.x : east.x);
         place.note = fmt::format(
             "its grid is turned by {:.3g} degrees against the east: it is drawn along its own "
             "sides",
-            turn * degrees_per_radian);
+            place.turn * degrees_per_radian);
         return place;
     }
     double west = x(0, 0);

@@ -21,6 +21,7 @@ struct NetcdfPlace {
     /// read, from the first one on; else empty.
     std::vector<double> columns{};
     std::vector<double> rows{};
+    double turn = 0.0;  ///< radians, of its columns' direction against the east
     std::string note{};
 };
 

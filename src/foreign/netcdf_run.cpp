@@ -182,6 +182,13 @@ RawTimes all_times(const std::vector<fs::path>& files, const std::string& unit,
         return part.times.values.empty() ? origin : origin + part.times.values.front();
     };
     if (!counted) std::ranges::stable_sort(parts, {}, start_of);
+    for (std::size_t i = 1; i < parts.size() && !counted; ++i) {
+        if (start_of(parts[i]) != start_of(parts[i - 1])) continue;
+        throw InputError(fmt::format(
+            "{}: begins at the time at which {} does; parts of one mesh have to be joined first "
+            "(dfmoutput mapmerge), and runs side by side are named one by one",
+            files[parts[i].file].string(), files[parts[i - 1].file].string()));
+    }
     for (const Part& part : parts) {
         const bool dated = all.origin && part.times.origin;
         const double shift = dated ? static_cast<double>(*part.times.origin - *all.origin) : 0.0;
@@ -212,9 +219,15 @@ void take_own_steps(const NetcdfInput& input, ForeignTimes& times) {
     times.steps.assign(steps.begin(), steps.end());
 }
 
+bool is_by_compass(const ForeignMap& map) {
+    return map.standard_name.find("eastward") != std::string::npos ||
+           map.standard_name.find("northward") != std::string::npos;
+}
+
 MapsPlace cells_place(const NetcdfInput& input, const ForeignMap& sides, ForeignRun& run) {
     MapsPlace place{place_of_maps(input, sides.variable)};
     run.scale = place.cells.scale;
+    run.turn = place.cells.turn;
     run.nx = place.cells.nx;
     run.ny = place.cells.ny;
     if (!place.cells.note.empty()) run.notes.push_back(place.cells.note);
@@ -278,7 +291,7 @@ ForeignRun read_netcdf_run(const std::string& name, std::vector<fs::path> files,
                     "all fields of a run need the same grid");
             run.fields.push_back(
                 {one.quantity, one.map.variable.name, one.map.unit, one.map.dimensions, one.reason,
-                 one.map.over_time,
+                 one.map.over_time, is_by_compass(one.map),
                  reader_of(records, one, place, conversion_of(input.name(), one))});
         }
         if (place.mesh) {

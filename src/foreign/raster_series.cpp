@@ -106,7 +106,7 @@ ForeignRun read_raster_series(const std::string& name, const std::vector<fs::pat
     std::erase_if(run.title, [](char letter) { return letter == '*' || letter == '?'; });
     while (!run.title.empty() && std::ispunct(static_cast<unsigned char>(run.title.back())) != 0)
         run.title.pop_back();
-    ForeignField field{kind.quantity, name, "", "", kind.reason, ordered.size() > 1, {}};
+    ForeignField field{kind.quantity, name, "", "", kind.reason, ordered.size() > 1, false, {}};
     field.read = [ordered, quantity = kind.quantity,
                   cell_size = query.cell_size](std::size_t record) {
         return read_raster_file(ordered.at(record), "", quantity, cell_size).values;

@@ -93,7 +93,8 @@ RecordSource record_source(const std::string& name, const std::string& model, do
     raw.origin = origin;
     run.times = run_times(raw, name);
     for (const auto& [key, reader] : readers)
-        run.fields.push_back({quantity_of(key), key, "", "", "an argument", changes.at(key), {}});
+        run.fields.push_back(
+            {quantity_of(key), key, "", "", "an argument", changes.at(key), false, {}});
     return {std::move(run), readers};
 }
 

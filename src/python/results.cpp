@@ -208,7 +208,7 @@ class RecordPainter {
                 run.nx = grid->nx();
                 run.ny = grid->ny();
             }
-            run.fields.push_back({*quantity, key, "", "", "an argument", true,
+            run.fields.push_back({*quantity, key, "", "", "an argument", true, false,
                                   [grid](std::size_t) { return *grid; }});
         }
         return run;

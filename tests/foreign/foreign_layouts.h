@@ -169,9 +169,11 @@ inline void write_aeolis(const std::filesystem::path& file, std::vector<double> 
     const int layers = maker.dimension("layers", 2);
     const int x = described(maker, "x", {n, s}, "m", "projection_x_coordinate");
     const int y = described(maker, "y", {n, s}, "m", "projection_y_coordinate");
-    const int t = described(maker, "time", {time}, "seconds since 2015-01-01 00:00:00");
+    maker.text(NC_GLOBAL, "source", "AeoLiS");
+    const int t = described(maker, "time", {time}, "seconds since ['2015-01-01' '00:00']");
     maker.text(t, "calendar", "julian");
     const int zb = described(maker, "zb", {time, n, s}, unit);
+    (void)described(maker, "u", {time, n, s}, "m/s");
     (void)described(maker, "mass", {time, n, s, layers}, "kg/m^2");
     std::vector<double> xs;
     std::vector<double> ys;

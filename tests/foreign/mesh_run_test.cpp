@@ -80,8 +80,7 @@ TEST_F(MeshRun, TheNoteTellsCellsAndTheErrorOfVolume) {
     EXPECT_EQ(run.notes[0],
               "3 faces on 7 nodes, laid on 6 x 2 cells of 5 m, half the mesh's median edge "
               "(--cell-size)");
-    EXPECT_EQ(run.notes[1],
-              "the cells hold 525 m³ of water in record 2, -4.5 % against the mesh");
+    EXPECT_EQ(run.notes[1], "the cells hold 525 m³ of water in record 2, -4.5 % against the mesh");
     EXPECT_EQ(open(0.5).notes[0], "3 faces on 7 nodes, laid on 60 x 20 cells of 0.5 m");
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -65,6 +66,84 @@ TEST_F(ForeignNetcdf, ATurnedGridIsDrawnAlongItsSides) {
     EXPECT_DOUBLE_EQ(foreign_snapshot(run, 0).bed(3, 1), 13.0);
 }
 
+TEST_F(ForeignNetcdf, VelocitiesByCompassAreTurnedWithTheGrid) {
+    write_sfincs(path, 0.8, 0.6);
+    {
+        int file = 0;
+        must(nc_open(path.c_str(), NC_WRITE, &file));
+        int time = 0;
+        int n = 0;
+        int m = 0;
+        must(nc_inq_dimid(file, "time", &time));
+        must(nc_inq_dimid(file, "n", &n));
+        must(nc_inq_dimid(file, "m", &m));
+        must(nc_redef(file));
+        const std::array over{time, n, m};
+        const std::string name = "northward_sea_water_velocity";
+        int v = 0;
+        must(nc_def_var(file, "v", NC_FLOAT, 3, over.data(), &v));
+        must(nc_put_att_text(file, v, "standard_name", name.size(), name.c_str()));
+        int u = 0;
+        must(nc_inq_varid(file, "u", &u));
+        const std::string east = "eastward_sea_water_velocity";
+        must(nc_put_att_text(file, u, "standard_name", east.size(), east.c_str()));
+        must(nc_enddef(file));
+        const std::vector<double> still(36, 1.0);
+        must(nc_put_var_double(file, v, still.data()));
+        must(nc_close(file));
+    }
+    const Snapshot last = foreign_snapshot(open(), 2);
+    EXPECT_NEAR((*field_of(last.fields, "velocity_x"))(3, 1), 0.8 * 0.5 + 0.6 * 1.0, 1e-6);
+    EXPECT_NEAR((*field_of(last.fields, "velocity_y"))(3, 1), 0.8 * 1.0 - 0.6 * 0.5, 1e-6);
+}
+
+TEST_F(ForeignNetcdf, HeightsOfMinus9999AreNone) {
+    {
+        const NetcdfMaker maker(path);
+        const int time = maker.dimension("time", 1);
+        const int y = maker.dimension("y", 3);
+        const int x = maker.dimension("x", 4);
+        const int bed = described(maker, "topographic__elevation", {time, y, x}, "m");
+        std::vector<double> heights = numbered(1, 3, 4);
+        heights.back() = -9999.0;
+        maker.values(bed, {1, 3, 4}, heights);
+    }
+    const Snapshot first = foreign_snapshot(open(), 0);
+    ASSERT_FALSE(first.nodata.empty());
+    EXPECT_EQ(first.nodata(3, 2), 1);
+    EXPECT_EQ(first.nodata(2, 2), 0);
+}
+
+TEST_F(ForeignNetcdf, TimesWithoutAUnitTakeOneThatIsSaid) {
+    {
+        const NetcdfMaker maker(path);
+        const int nt = maker.dimension("nt", 2);
+        const int nj = maker.dimension("nj", 3);
+        const int ni = maker.dimension("ni", 4);
+        const int t = maker.variable("t", NC_DOUBLE, {nt});  // as write_netcdf(append=True)
+        const int z = described(maker, "topographic__elevation", {nt, nj, ni}, "");
+        maker.values(t, {2}, {400, 800});
+        maker.values(z, {2, 3, 4}, numbered(2, 3, 4));
+    }
+    EXPECT_EQ(open().times.unit, "steps");
+    ForeignQuery query;
+    query.time_unit = "yr";
+    EXPECT_EQ(open(query).times.unit, "yr");
+    EXPECT_DOUBLE_EQ(open(query).times.times[1], 800.0);
+}
+
+TEST_F(ForeignNetcdf, FilesThatBeginTogetherAreNotOneRun) {
+    write_aeolis(folder / "out_1.nc");
+    write_aeolis(folder / "out_2.nc");
+    const std::string message =
+        message_of<InputError>([&] { (void)open_foreign_run((folder / "out_*.nc").string()); });
+    EXPECT_NE(message.find("out_2.nc: begins at the time at which"), std::string::npos) << message;
+    EXPECT_NE(message_of<InputError>([&] {
+                  (void)open_foreign_run((folder.path() / "*" / "out.nc").string());
+              }).find("not of a folder's"),
+              std::string::npos);
+}
+
 TEST_F(ForeignNetcdf, LandlabIsKnownWithoutOptions) {
     write_landlab(path);
     const ForeignRun run = open();
@@ -125,6 +204,7 @@ TEST_F(ForeignNetcdf, AeolisIsABedThatChanges) {
     write_aeolis(path);
     const ForeignRun run = open();
     EXPECT_FALSE(run.has_water());
+    EXPECT_EQ(run.find(Quantity::velocity_x), nullptr);  // its u is of sand
     EXPECT_EQ(run.times.date(run.times.times[1]), "2015-01-02");
     EXPECT_DOUBLE_EQ(foreign_snapshot(run, 1).bed(3, 2), 123.0);
     const std::string text = foreign_description(run);
