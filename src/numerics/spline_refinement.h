@@ -43,7 +43,8 @@ inline Grid spline_refined(const Grid& values, int refinement) {
         const auto straight = [&](int knot) {  // beyond its ends the coefficients are on a line
             if (knot < -1) return 2.0 * spline[0] - spline[1];
             if (knot > count) return 2.0 * spline[spline.size() - 1] - spline[spline.size() - 2];
-            return spline[static_cast<std::size_t>(knot + 1)];
+            const int place = knot + 1;
+            return spline[static_cast<std::size_t>(place)];
         };
         std::vector<double> fine;
         fine.reserve(coarse.size() * static_cast<std::size_t>(refinement));

@@ -138,6 +138,26 @@ TEST(RainOnTerrain, SaysWhatErosionIsImplausibleAndWhatToSet) {
     EXPECT_EQ(gentle.gully.plausibility_warning(), "");
 }
 
+TEST(RainOnTerrain, WarnsOfFurrowsOfTwoCells) {
+    Grid slope(24, 24);
+    for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 24; ++x) slope(x, y) = 0.15 * y + (x % 2 == 0 ? 0.0 : 0.004);
+    GullyParameters gully;
+    gully.rain = 60.0;
+    gully.time_step = 1.0;
+    gully.transport_factor = 0.02;
+    gully.bed_diffusion = 1e-5;
+    GullyRun furrowed(gully, slope, 1, 1.5, 1.5, {}, true);
+    furrowed.to(600.0);
+    const std::string warning = furrowed.gully.plausibility_warning();
+    EXPECT_NE(warning.find("furrows of two cells"), std::string::npos) << warning;
+    EXPECT_NE(warning.find("more model.bed_diffusion"), std::string::npos) << warning;
+    gully.bed_diffusion = 0.05;
+    GullyRun smooth(gully, slope, 1, 1.5, 1.5, {}, true);
+    smooth.to(600.0);
+    EXPECT_EQ(smooth.gully.plausibility_warning(), "");
+}
+
 TEST(RainOnTerrain, AutomaticValuesAreThePapersElsewhere) {
     const auto changed = [](GullyParameters gully, bool from_file) {
         gully.time_step = 0.1;
