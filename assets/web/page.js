@@ -224,7 +224,14 @@ async function start() {
 /** For scripts: the heights of a bed, row by row from the south-west, in the run's unit; NaN without data. */
 globalThis.fumonHeights = (bed) => Float64Array.from({ length: cellCount }, (_, cell) => (hasData(cell) ? heightOf(bed, cell) : NaN));
 
-start().catch((fault) => {
+function giveUp(why) {
+  play(false);
   canvas.hidden = true;
-  part("message").textContent = `This browser cannot turn the bed (${fault.message}); the picture shows its last state.`;
-});
+  part("poster").hidden = false;
+  for (const id of ["compass", "scale", "time"]) part(id).hidden = true;
+  part("place").textContent = "";
+  part("message").textContent = `This browser cannot turn the bed (${why}); the picture shows its last state.`;
+}
+
+canvas.addEventListener("webglcontextlost", () => giveUp("its graphics were lost; load the page again"));
+start().catch((fault) => giveUp(fault.message));

@@ -137,8 +137,10 @@ class RunDrawing {
   private:
     void draw_beds(const std::vector<std::size_t>& numbers) {
         const double longer = std::max(first_.bed.nx(), first_.bed.ny());
-        const Scene above = from_above(scene_, made_.width, made_.height,
-                                       std::clamp(longer, least_picture_side, most_picture_side));
+        Scene above = from_above(scene_, made_.width, made_.height,
+                                 std::clamp(longer, least_picture_side, most_picture_side));
+        // Its outline there is a smooth one, and that of the page goes along cells.
+        if (!first_.nodata.empty()) above.view.look.background = Background::transparent;
         const TimeText times = time_text_of(run_.scene, first_);
         const auto painter = make_frame_painter(above, first_, work_.backend, pool_);
         painter->keep_colours();
@@ -156,7 +158,9 @@ class RunDrawing {
                     surface.scale.height_unit -
                 made_.zero;
             if (draws_water(scene_.view.look, surface)) bed.depths = depths_of(surface);
-            bed.picture = webp(painter->paint(snapshot, {}), picture_quality);
+            Image picture = painter->paint(snapshot, {});
+            fill_beside(picture);
+            bed.picture = webp(picture, picture_quality);
             made_.nx = bed.heights.nx();
             made_.ny = bed.heights.ny();
             made_.beds.push_back(std::move(bed));

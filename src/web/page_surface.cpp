@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace fumon {
@@ -68,6 +69,32 @@ Mask coarse_mask(const Mask& nodata, int nx, int ny, int cells) {
         }
     }
     return any ? mask : Mask();
+}
+
+void fill_beside(Image& image) {
+    if (!image.transparent()) return;
+    constexpr std::uint8_t opaque = 255;
+    std::vector<std::size_t> front;
+    for (std::size_t i = 0; i < image.alpha.size(); ++i)
+        if (image.alpha[i] == opaque) front.push_back(i);
+    const auto wide = static_cast<std::size_t>(image.width);
+    while (!front.empty()) {
+        std::vector<std::size_t> next;
+        for (const std::size_t from : front) {
+            const auto colour = [&](std::size_t to) {
+                if (image.alpha[to] == opaque) return;
+                for (std::size_t k = 0; k < 3; ++k) image.rgb[3 * to + k] = image.rgb[3 * from + k];
+                image.alpha[to] = opaque;
+                next.push_back(to);
+            };
+            if (from % wide > 0) colour(from - 1);
+            if (from % wide + 1 < wide) colour(from + 1);
+            if (from >= wide) colour(from - wide);
+            if (from + wide < image.alpha.size()) colour(from + wide);
+        }
+        front = std::move(next);
+    }
+    image.alpha.clear();
 }
 
 std::vector<OuterSide> outer_sides(int nx, int ny, const Mask& nodata) {

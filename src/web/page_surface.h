@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "base/image.h"
 
 namespace fumon {
 
@@ -19,6 +20,10 @@ Field<float> coarse_field(const Grid& field, const Mask& nodata, int cells, doub
 
 /// 1 where half of the k × k cells or more have no data; empty where that is nowhere.
 Mask coarse_mask(const Mask& nodata, int nx, int ny, int cells);
+
+/// Gives pixels that are not opaque the colour of the nearest ones that are, and makes the picture
+/// opaque.
+void fill_beside(Image& image);
 
 /// A side of a cell beyond which there is no other, or none with data.
 struct OuterSide {

@@ -103,6 +103,15 @@ TEST(PageSurface, MeansLeaveOutCellsWithoutData) {
     EXPECT_EQ(cells_per_point(Grid(512, 512), 500'000), 2);
 }
 
+TEST(PageSurface, PixelsBesideABedTakeTheNearestColour) {
+    Image image(5, 1);
+    image.rgb = {9, 9, 9, 1, 2, 3, 9, 9, 9, 9, 9, 9, 4, 5, 6};
+    image.alpha = {0, 255, 128, 0, 255};
+    fill_beside(image);
+    EXPECT_EQ(image.rgb, (std::vector<std::uint8_t>{1, 2, 3, 1, 2, 3, 1, 2, 3, 4, 5, 6, 4, 5, 6}));
+    EXPECT_FALSE(image.transparent());
+}
+
 TEST(PageSurface, OuterSidesRunAroundHolesToo) {
     Mask nodata(3, 3);
     EXPECT_EQ(outer_sides(3, 3, {}).size(), 12U);
