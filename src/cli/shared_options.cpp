@@ -162,10 +162,12 @@ void add_foreign_options(CLI::App& command, ForeignQuery& query) {
         ->type_name("PATTERN");
     command
         .add_option("--time-unit", query.time_unit,
-                    "of the numbers in the names of a series of rasters: s, min, h, d or yr")
+                    "of the numbers in the names of a series of rasters, and of times without a "
+                    "unit: s, min, h, d or yr")
         ->type_name("UNIT");
     add_number(command, "--cell-size", query.cell_size, 0.0, 1e6,
-               "metres, of rasters that do not say theirs")
+               "metres, of rasters that do not say theirs, and of the grid for triangles and "
+               "polygons")
         ->type_name("METRES");
 }
 

@@ -74,7 +74,7 @@ Unpacking unpacking_of(const NetcdfInput& input, int variable) {
 }
 
 /// Half the median edge, or what makes four million cells.
-double default_cell(const Mesh& mesh, double width, double height) {
+double default_cell(const FaceMesh& mesh, double width, double height) {
     constexpr double most_cells = 4e6;
     return std::max(cell_of_edges(mesh), std::sqrt(width * height / most_cells));
 }

@@ -21,7 +21,7 @@ namespace py = pybind11;
 
 Quantity quantity_of(const std::string& key) {
     if (const auto quantity = quantity_of_key(key)) return *quantity;
-    throw InputError(fmt::format("\"{}\" is no quantity; these are {}", key, quantity_keys()));
+    throw InputError(fmt::format("unknown quantity \"{}\"; it takes {}", key, quantity_keys()));
 }
 
 /// A function of Python that any thread may drop.

@@ -120,12 +120,12 @@ py::dict film_of(Results& results, const std::string& file, const std::string& s
         PyErr_SetNone(PyExc_KeyboardInterrupt);
         throw py::error_already_set();
     }
-    py::dict told;
-    told["frames"] = made.frames;
-    told["width"] = made.width;
-    told["height"] = made.height;
-    told["seconds"] = made.seconds;
-    return told;
+    py::dict filmed;
+    filmed["frames"] = made.frames;
+    filmed["width"] = made.width;
+    filmed["height"] = made.height;
+    filmed["seconds"] = made.seconds;
+    return filmed;
 }
 
 template <class Work>
@@ -202,7 +202,7 @@ class RecordPainter {
         run.times.steps = {step};
         for (const auto& [key, values] : planes) {
             const auto quantity = quantity_of_key(key);
-            if (!quantity) throw InputError(fmt::format("\"{}\" is no quantity", key));
+            if (!quantity) throw InputError(fmt::format("unknown quantity \"{}\"", key));
             const auto grid = std::make_shared<const Grid>(grid_of(values));
             if (run.nx == 0) {
                 run.nx = grid->nx();

@@ -176,7 +176,7 @@ TEST_F(MeshRun, PartitionsAreNotOneMesh) {
 
 TEST(MeshGrid, CellsTileAMeshWithoutGaps) {
     // A square of 8 × 8 m in triangles around a node off all rows, and a concave polygon beside it.
-    Mesh mesh;
+    FaceMesh mesh;
     mesh.x = {0, 8, 8, 0, 3.3, 16, 16, 12};
     mesh.y = {0, 0, 8, 8, 4.7, 0, 8, 4};
     mesh.corners = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 5, 7, 6, 2};

@@ -24,7 +24,9 @@ def test_the_guides_blocks_run(tmp_path, monkeypatch, capsys):
     told = capsys.readouterr().out
     for promised in re.findall(r"print\(.*\) +# (.*)", "\n".join(blocks)):
         assert promised in told
-    assert {file.name for file in tmp_path.iterdir()} == {"hill.png", "last.png", "barchans.mp4", "growth.webp"} | (
+    made = {"hill.png", "last.png", "barchans.mp4", "growth.webp", "flood.nc", "second.png", "flood.mp4", "tour.mp4", "rising.mp4",
+            "erosion.mp4"}
+    assert {file.name for file in tmp_path.iterdir()} == made | (
         {"axes.pdf"} if importlib.util.find_spec("matplotlib") else set())
 
 

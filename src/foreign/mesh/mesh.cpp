@@ -8,7 +8,7 @@
 
 namespace fumon {
 
-double cell_of_edges(const Mesh& mesh) {
+double cell_of_edges(const FaceMesh& mesh) {
     std::vector<double> lengths;
     lengths.reserve(mesh.corners.size());
     for (std::size_t face = 0; face < mesh.faces(); ++face) {

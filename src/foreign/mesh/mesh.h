@@ -8,7 +8,7 @@
 namespace fumon {
 
 /// Triangles and polygons of any number of corners, on nodes that they share.
-struct Mesh {
+struct FaceMesh {
     std::vector<double> x;  ///< of the nodes, metres from its south-west
     std::vector<double> y;
     std::vector<std::int32_t> corners;  ///< the nodes of one face after the other, around each
@@ -24,6 +24,6 @@ struct Mesh {
 
 /// Half the length of the edge that half of all edges are shorter than, to three digits: a cell
 /// that shows what most of a mesh shows. Metres; 0 for a mesh without a face.
-double cell_of_edges(const Mesh& mesh);
+double cell_of_edges(const FaceMesh& mesh);
 
 }  // namespace fumon

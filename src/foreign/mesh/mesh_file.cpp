@@ -101,7 +101,7 @@ double first_node(const NetcdfInput& input, int connectivity, const std::vector<
 }
 
 /// The nodes of each face. Throws for those that are none.
-void read_faces(const NetcdfInput& input, const MeshLayout& layout, Mesh& mesh) {
+void read_faces(const NetcdfInput& input, const MeshLayout& layout, FaceMesh& mesh) {
     const std::size_t faces = input.dimension_length(layout.faces);
     const std::size_t corners = input.dimension_length(layout.corners);
     const bool turned = input.dimensions(layout.connectivity).front() == layout.corners;
@@ -157,7 +157,7 @@ std::optional<MeshLayout> find_mesh(const NetcdfInput& input) {
 
 PlacedMesh read_mesh(const NetcdfInput& input, const MeshLayout& layout) {
     PlacedMesh placed;
-    Mesh& mesh = placed.mesh;
+    FaceMesh& mesh = placed.mesh;
     mesh.x = coordinate(input, layout.node_x, layout.nodes);
     mesh.y = coordinate(input, layout.node_y, layout.nodes);
     read_faces(input, layout, mesh);

@@ -30,7 +30,7 @@ std::optional<MeshLayout> find_mesh(const NetcdfInput& input);
 
 /// A mesh and where its south-west lies.
 struct PlacedMesh {
-    Mesh mesh;
+    FaceMesh mesh;
     double west = 0.0;  ///< metres, or degrees
     double south = 0.0;
     bool degrees = false;

@@ -30,7 +30,7 @@ int cells_over(const std::vector<double>& places, const std::vector<std::int32_t
 
 }  // namespace
 
-MeshGrid::MeshGrid(Mesh mesh, double cell) : mesh_(std::move(mesh)), cell_(cell) {
+MeshGrid::MeshGrid(FaceMesh mesh, double cell) : mesh_(std::move(mesh)), cell_(cell) {
     faces_ = Field<std::int32_t>(cells_over(mesh_.x, mesh_.corners, cell),
                                  cells_over(mesh_.y, mesh_.corners, cell), outside);
     for (std::size_t face = 0; face < mesh_.faces(); ++face) fill(face);

@@ -16,7 +16,7 @@ class MeshGrid {
   public:
     /// Cells of `cell` metres from the mesh's south-west on. A centre on an edge belongs to one of
     /// the two faces. Polygons may be concave.
-    MeshGrid(Mesh mesh, double cell);
+    MeshGrid(FaceMesh mesh, double cell);
 
     [[nodiscard]] int nx() const { return faces_.nx(); }
     [[nodiscard]] int ny() const { return faces_.ny(); }
@@ -47,7 +47,7 @@ class MeshGrid {
     [[nodiscard]] double integral(const Mean& mean_of) const;
     [[nodiscard]] Weights weights_at(std::size_t face, double x, double y) const;
 
-    Mesh mesh_;
+    FaceMesh mesh_;
     double cell_ = 1.0;
     Field<std::int32_t> faces_;             ///< −1 outside
     mutable std::vector<Weights> weights_;  ///< of all cells, once nodes' values are asked for
