@@ -48,7 +48,7 @@ function toml() {
   return text;
 }
 
-const quoted = (text) => (/^[\w.=+-]*$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
+const quoted = (text) => (/^[\w.=+/-]*$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
 const setLine = () => [...changed()].map(([path, value]) => `--set ${quoted(`${path}=${value}`)}`).join(" ");
 
 async function copied(text, what) {
@@ -136,6 +136,14 @@ async function playFilm() {
   return "";
 }
 
+/** What makes a run store the moments that are shown here. */
+function storing(filled) {
+  const steps = state.subject.moments.map((one) => one.step);
+  const every = Math.max(1, steps[1] ?? 1);
+  const fits = filled.every((shot) => shot.keys.every((key) => key.step % every === 0));
+  return fits ? `output.fields_every=${every}` : `output.fields_at=[${steps.join()}]`;
+}
+
 export function start() {
   at("where").textContent = state.subject.saves ? `Files go to ${state.subject.folder}.` : "Files go to where this browser saves; fumon view --save DIR names a folder.";
   at("still-width").value = state.subject.image.width;
@@ -154,7 +162,11 @@ export function start() {
   onClick("save-film", async () => {
     const filled = shots.filter((shot) => shot.keys.length > 0);
     if (filled.length === 0) return "add a view first";
-    return `saved: ${await save("film", { shots: filled, settings: settings().filter((one) => !one.startsWith("camera.")), name: at("film-name").value })}`;
+    const file = await save("film", { shots: filled, settings: settings().filter((one) => !one.startsWith("camera.")), name: at("film-name").value });
+    const stored = !["computed", "computing"].includes(state.subject.state);
+    const run = stored ? quoted(state.subject.name) : "out";
+    const first = stored ? "" : `fumon run ${quoted(state.subject.name)} -o out --set ${quoted(storing(filled))}, then `;
+    return `saved: ${file}; next ${first}fumon film ${run} ${quoted(file.split(",")[0])}`;
   });
   follow(draw);
   new MutationObserver(() => { at("changed").textContent = toml() || "nothing is changed"; }).observe(at("picture"), { attributes: true });

@@ -174,7 +174,7 @@ class Pipeline {
                                           written_.send_frame();
                                   });
         StepCounter count(progress_);
-        WatchedState watched(progress_.watch());
+        WatchedState watched(progress_.watch(), last_step_);
         PlausibilityReporter plausibility_warning(
             [this](const std::string& line) { stages_.report("implausible: " + line); });
         std::vector<StepObserver*> observers{&recorder, &beds, &frames, &plausibility_warning};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -64,15 +65,17 @@ class ProgressPrinter : public StepObserver {
 class WatchedState : public StepObserver {
   public:
     /// `watch` may be nullptr, as long as no run has this.
-    explicit WatchedState(JobWatch* watch) : watch_(watch) {}
+    WatchedState(JobWatch* watch, std::int64_t last_step) : watch_(watch), last_step_(last_step) {}
 
-    [[nodiscard]] bool wants(std::int64_t /*step*/) const override {
-        return watch_->wants_snapshot();
+    /// That of the last step, too, where somebody watches.
+    [[nodiscard]] bool wants(std::int64_t step) const override {
+        return watch_->wants_snapshot() || (step == last_step_ && watch_->has_clients());
     }
     void take(const SharedSnapshot& snapshot) override { watch_->take(snapshot); }
 
   private:
     JobWatch* watch_;
+    std::int64_t last_step_;
 };
 
 /// Reports the first plausibility warning of a model's state.

@@ -1,12 +1,10 @@
 // Bytes that a program sends to the server of `fumon view`, as they are; "@" stands for the token
 // where the first byte is "@".
 
-#include <algorithm>
-#include <array>
 #include <string>
 
-#include "fuzz_input.h"
 #include "../support/raw_http.h"
+#include "fuzz_input.h"
 #include "view/server/http_server.h"
 
 namespace {

@@ -127,8 +127,9 @@ async function useWatch() {
   await until("document.getElementById('job-picture').naturalWidth > 0", "no newest frame");
   await screenshot("watch");
   await until("document.getElementById('state').textContent.startsWith('complete: ')", "the page does not hear that the run is complete");
+  await until("document.getElementById('picture').dataset.step === '6000' && document.getElementById('picture').dataset.kind === 'whole'", "the end of the run is not shown");
   await screenshot("watch-end");
-  await pause(2500);  // the server ends; nobody asks it any more
+  await pause(1500);  // the server ends; nobody asks it any more
 }
 
 async function useSweep() {

@@ -71,5 +71,5 @@ serve view terada-barchans --save filmed --set grid.nx=64 --set grid.ny=48 --set
 use scene
 end
 test "$(grep -c '^\[\[shot\]\]' filmed/film.toml)" = 3
-"$FUMON" run dem.asc -o terrain -q
+"$FUMON" run dem.asc -o terrain -q --set output.fields_every=1
 "$FUMON" check filmed/film.toml --run terrain

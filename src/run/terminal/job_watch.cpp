@@ -37,6 +37,11 @@ bool JobWatch::is_watched() const {
         clients_, [&](const auto& client) { return now - client.second.asked < watched_for; });
 }
 
+bool JobWatch::has_clients() const {
+    const std::lock_guard lock(mutex_);
+    return is_watched();
+}
+
 bool JobWatch::wants_picture() const {
     const std::lock_guard lock(mutex_);
     return is_watched() && Clock::now() - shown_ >= picture_interval;

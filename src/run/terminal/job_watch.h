@@ -47,6 +47,8 @@ class JobWatch {
     /// Whether the present state would be looked at.
     [[nodiscard]] bool wants_snapshot() const { return wants_snapshot_.load(); }
     void take(std::shared_ptr<const Snapshot> snapshot);
+    /// Whether anybody has asked in the last seconds.
+    [[nodiscard]] bool has_clients() const;
     /// Says how the job ended, and waits some seconds until all who watch have heard of it and ask
     /// for nothing more.
     void end(const std::string& outcome);
