@@ -19,6 +19,8 @@
 #include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "film/beds/film_runs.h"
+#include "film/cache/byte_size.h"
+#include "film/cache/picture_cache.h"
 #include "film/film_read.h"
 #include "film/frame_sequence.h"
 #include "film/make_film.h"
@@ -45,6 +47,8 @@ struct FilmOptions {
     bool print = false;
     bool draft = false;
     bool resume = false;
+    bool no_cache = false;
+    bool clear_cache = false;
     bool force = false;
     ForeignQuery foreign;
     WatchOptions watch;
@@ -52,12 +56,10 @@ struct FilmOptions {
 };
 
 void declare(CLI::App& command, FilmOptions& options) {
-    command
-        .add_option(
-            "RUN", options.runs,
-            "the folder of a finished run that stored beds; or several, or that of a sweep, "
-            "side by side; or the results of another model: NetCDF, or 'PATTERN*' of files")
-        ->required();
+    command.add_option(
+        "RUN", options.runs,
+        "the folder of a finished run that stored beds; or several, or that of a sweep, "
+        "side by side; or the results of another model: NetCDF, or 'PATTERN*' of files");
     command.add_option(
         "FILM", options.film,
         "last: a film file (TOML), the name of one that fumon ships, or an MP4 or PNG of a film; "
@@ -94,6 +96,10 @@ void declare(CLI::App& command, FilmOptions& options) {
     command.add_flag("--resume", options.resume,
                      "keep the frames in FILE.frames until the film is whole; given again, an "
                      "interrupted film goes on where it stopped");
+    command.add_flag("--no-cache", options.no_cache,
+                     "draw every picture, and keep none for the next film");
+    command.add_flag("--clear-cache", options.clear_cache,
+                     "alone: delete the pictures that are kept for the next film");
     add_force(command, options.force);
     add_foreign_options(command, options.foreign);
     add_settings(command, options.work.settings,
@@ -188,7 +194,47 @@ FilmToMake film_without_file(const FilmOptions& options, const Arguments& argume
     return {std::move(text), std::move(film), std::move(usual), {}, std::move(runs)};
 }
 
+/// Where pictures are kept for other films; nothing where none are.
+std::unique_ptr<PictureCache> picture_cache(const FilmOptions& options) {
+    const std::int64_t most_bytes = picture_cache_bytes();
+    const std::optional<fs::path> folder = picture_cache_folder();
+    if (options.no_cache || most_bytes == 0 || !folder) return nullptr;
+    return std::make_unique<PictureCache>(*folder, most_bytes);
+}
+
+void tell_use(PictureCache& cache, StatusLine& status) {
+    const CacheUse use = cache.finish();
+    if (use.found > 0) {
+        status.note(
+            fmt::format("{} of {} pictures were drawn before and kept; --no-cache draws them all",
+                        with_commas(use.found), with_commas(use.found + use.drawn)));
+    }
+}
+
+/// Says what becomes of a film that was stopped.
+void tell_stop(const FilmOutput& output, const MadeFilm& made, bool keeps, StatusLine& status) {
+    const char* rest = made.goes_on ? "the same command goes on there"
+                       : keeps      ? "the same command takes over the pictures that were drawn"
+                                    : "with --resume the same command would go on there";
+    status.note(fmt::format("{}: stopped at frame {} and not written; {}", output.file.string(),
+                            with_commas(made.begun_frame + 1), rest));
+}
+
+int clear_cache(const FilmOptions& options) {
+    if (!options.runs.empty()) throw InputError("--clear-cache stands alone, without RUN and FILM");
+    const std::optional<fs::path> folder = picture_cache_folder();
+    const std::int64_t bytes = folder ? clear_picture_cache(*folder) : 0;
+    StatusLine status(options.work.verbosity);
+    status.note(bytes > 0 ? fmt::format("{}: {} bytes of pictures deleted", folder->string(),
+                                        with_commas(bytes))
+                          : "no pictures are kept");
+    return 0;
+}
+
 int perform(const FilmOptions& options) {
+    if (options.clear_cache) return clear_cache(options);
+    if (options.runs.empty())
+        throw InputError("fumon film: RUN is missing; try `fumon film --help`");
     const InterruptGuard guard;
     const Arguments arguments = arguments_of(options);
     const FilmToMake made_of = arguments.film.empty() ? film_without_file(options, arguments)
@@ -214,6 +260,7 @@ int perform(const FilmOptions& options) {
     for (const FilmOutput& output : outputs) claim_film(claims, output);
     JobWatch watch;
     StatusLine status(options.work.verbosity, options.watch.on ? &watch : nullptr);
+    const std::unique_ptr<PictureCache> cache = picture_cache(options);
     std::optional<JobServer> window;
     if (options.watch.on) {
         window.emplace(
@@ -224,10 +271,11 @@ int perform(const FilmOptions& options) {
         std::fflush(stdout);
     }
     for (const FilmOutput& output : outputs) {
-        const MadeFilm made = make_film(output, runs, made_of.text.remake, options.work, status);
+        const MadeFilm made =
+            make_film(output, runs, made_of.text.remake, options.work, status, cache.get());
         if (made.signal != 0) {
-            if (window)
-                window->end(options.resume ? "stopped; the same command goes on" : "stopped");
+            tell_stop(output, made, cache != nullptr, status);
+            if (window) window->end(made.goes_on ? "stopped; the same command goes on" : "stopped");
             return exit_status_of_signal(made.signal);
         }
         const FilmSize size = film_size(output.film);
@@ -253,6 +301,7 @@ int perform(const FilmOptions& options) {
         say(output.file, made.frames, made.width, made.height);
         if (!output.sheet.empty()) say(output.sheet, made.sheet_frames, size.width, size.height);
     }
+    if (cache) tell_use(*cache, status);
     if (window) window->end("complete: " + outputs.back().file.string());
     return 0;
 }

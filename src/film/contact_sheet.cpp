@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "film/frame_spool.h"
+#include "film/cache/frame_spool.h"
 #include "film/panes.h"
 
 namespace fumon {

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
+
+#include "base/error.h"
 
 namespace fumon {
 
@@ -24,6 +27,20 @@ Image mixed_open(Image first, const Image& second, double share) {
 }
 
 }  // namespace
+
+LayeredImage FilmFrames::light(std::int64_t /*frame*/) {
+    throw Error("a film of several runs has no light of its own");
+}
+
+LayeredImage mixed(LayeredImage first, const LayeredImage& second, double share) {
+    for (std::size_t layer = 0; layer < first.layers.size(); ++layer) {
+        std::vector<float>& values = first.layers[layer].values;
+        const std::vector<float>& others = second.layers[layer].values;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = static_cast<float>((1.0 - share) * values[i] + share * others[i]);
+    }
+    return first;
+}
 
 Image mixed(Image first, const Image& second, double share) {
     if (first.transparent() || second.transparent())

@@ -22,6 +22,9 @@ class FilmFrames {
     [[nodiscard]] virtual FilmSize size() const = 0;
     [[nodiscard]] virtual bool transparent() const = 0;  ///< whether frames have alpha
     virtual Image paint(std::int64_t frame) = 0;
+    /// The light of a frame, without anything that is written over it; of films of one run. Frames
+    /// are drawn either by this or by paint().
+    virtual LayeredImage light(std::int64_t frame);
     /// Lets go of OpenGL, and of the memory that it takes, until the next frame.
     virtual void close() = 0;
     /// What draws them. Throws Error where OpenGL fails.
@@ -32,5 +35,8 @@ class FilmFrames {
 
 /// `share` of the second image and the rest of the first, of one size.
 Image mixed(Image first, const Image& second, double share);
+
+/// The same of light, layer by layer.
+LayeredImage mixed(LayeredImage first, const LayeredImage& second, double share);
 
 }  // namespace fumon

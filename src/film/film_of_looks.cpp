@@ -8,7 +8,8 @@
 namespace fumon {
 
 FilmOfLooks::FilmOfLooks(const Film& film, const FilmRuns& runs, const FilmSize& size,
-                         const TitleFacts& facts, gl::Backend backend, WorkerPool& pool)
+                         const TitleFacts& facts, gl::Backend backend, WorkerPool& pool,
+                         PictureCache* cache)
     : film_(film), timeline_(film) {
     for (std::size_t shot = 0; shot < film.shots.size(); ++shot) {
         const auto same = [&](const Shot& other) {
@@ -21,7 +22,7 @@ FilmOfLooks::FilmOfLooks(const Film& film, const FilmRuns& runs, const FilmSize&
         }
         painter_of_shot_.push_back(painters_.size());
         painters_.push_back(std::make_unique<FilmPainter>(film, runs, size, facts, backend, pool,
-                                                          film.shots[shot].looks));
+                                                          film.shots[shot].looks, cache));
     }
 }
 
@@ -36,15 +37,29 @@ std::size_t FilmOfLooks::painter_of(const FramePart& shown) const {
                                                                         : painter_of_shot_.back();
 }
 
+void FilmOfLooks::close_all_but(std::size_t first, std::size_t second) {
+    for (std::size_t look = 0; look < painters_.size(); ++look)
+        if (look != first && look != second) painters_[look]->close();
+}
+
+LayeredImage FilmOfLooks::light(std::int64_t frame) {
+    const std::vector<FramePart> shown = timeline_.at(frame);
+    const std::size_t first = painter_of(shown.front());
+    const std::size_t second = painter_of(shown.back());
+    close_all_but(first, second);
+    if (first == second) return painters_[first]->light(frame);
+    return mixed(painters_[first]->light_of(shown.front()),
+                 painters_[second]->light_of(shown.back()), shown.back().weight);
+}
+
 Image FilmOfLooks::paint(std::int64_t frame) {
     const std::vector<FramePart> shown = timeline_.at(frame);
     const std::size_t first = painter_of(shown.front());
     const std::size_t second = painter_of(shown.back());
-    for (std::size_t look = 0; look < painters_.size(); ++look)
-        if (look != first && look != second) painters_[look]->close();
+    close_all_but(first, second);
     if (first == second) return painters_[first]->paint(frame);
-    Image image = mixed(painters_[first]->untitled(shown.front()),
-                        painters_[second]->untitled(shown.back()), shown.back().weight);
+    Image image = mixed(painters_[first]->untitled(shown.front(), frame),
+                        painters_[second]->untitled(shown.back(), frame), shown.back().weight);
     painters_[first]->write_titles(image, frame);
     return image;
 }
@@ -63,12 +78,13 @@ const std::vector<std::string>& FilmOfLooks::notes() const {
 
 std::unique_ptr<FilmFrames> shots_frames(const Film& film, const FilmRuns& runs,
                                          const FilmSize& size, const TitleFacts& facts,
-                                         gl::Backend backend, WorkerPool& pool) {
+                                         gl::Backend backend, WorkerPool& pool,
+                                         PictureCache* cache) {
     const std::vector<Override>& first = film.shots.front().looks;
     const bool differ = std::ranges::any_of(
         film.shots, [&](const Shot& shot) { return !same_looks(shot.looks, first); });
-    if (differ) return std::make_unique<FilmOfLooks>(film, runs, size, facts, backend, pool);
-    return std::make_unique<FilmPainter>(film, runs, size, facts, backend, pool, first);
+    if (differ) return std::make_unique<FilmOfLooks>(film, runs, size, facts, backend, pool, cache);
+    return std::make_unique<FilmPainter>(film, runs, size, facts, backend, pool, first, cache);
 }
 
 }  // namespace fumon

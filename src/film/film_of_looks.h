@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/worker_pool.h"
+#include "film/cache/picture_cache.h"
 #include "film/film_frames.h"
 #include "film/film_painter.h"
 #include "film/timeline.h"
@@ -21,18 +22,21 @@ class FilmOfLooks : public FilmFrames {
   public:
     /// Film, runs and pool outlive it. Throws InputError as FilmPainter.
     FilmOfLooks(const Film& film, const FilmRuns& runs, const FilmSize& size,
-                const TitleFacts& facts, gl::Backend backend, WorkerPool& pool);
+                const TitleFacts& facts, gl::Backend backend, WorkerPool& pool,
+                PictureCache* cache = nullptr);
 
     [[nodiscard]] std::int64_t frames() const override { return timeline_.frames(); }
     [[nodiscard]] FilmSize size() const override { return painters_.front()->size(); }
     [[nodiscard]] bool transparent() const override;
     Image paint(std::int64_t frame) override;
+    LayeredImage light(std::int64_t frame) override;
     void close() override;
     /// Of the first shot.
     [[nodiscard]] DrawingRecord record() override;
     [[nodiscard]] const std::vector<std::string>& notes() const override;
 
   private:
+    void close_all_but(std::size_t first, std::size_t second);
     [[nodiscard]] std::size_t painter_of(const FramePart& shown) const;
 
     const Film& film_;
@@ -45,6 +49,7 @@ class FilmOfLooks : public FilmFrames {
 /// Arguments outlive it.
 std::unique_ptr<FilmFrames> shots_frames(const Film& film, const FilmRuns& runs,
                                          const FilmSize& size, const TitleFacts& facts,
-                                         gl::Backend backend, WorkerPool& pool);
+                                         gl::Backend backend, WorkerPool& pool,
+                                         PictureCache* cache = nullptr);
 
 }  // namespace fumon

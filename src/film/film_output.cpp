@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "base/error.h"
 #include "base/find_named.h"
 #include "base/nearest_name.h"
+#include "files/atomic_file.h"
 #include "files/input_file.h"
 #include "files/json_text.h"
 #include "film/film_texts.h"
@@ -75,14 +76,22 @@ FilmOutput output_for(const Film& film, const fs::path& base, const std::string&
     return output;
 }
 
+fs::path without_ending(fs::path file) {
+    return file.replace_extension();
+}
+
 /// The format of a file by its ending, the film's own where that has it too.
 std::string format_of(const Film& film, const fs::path& file) {
     const std::string ending = small_ending(file);
     const std::string& own = film.settings.format;
-    if (ending == ".png" && is_frame_sequence(file)) return "sequence";
+    if ((ending == ".png" || holds_light(file)) && is_frame_sequence(file)) return "sequence";
+    if (holds_light(file)) {
+        throw InputError(fmt::format("{}: OpenEXR holds one frame a file; name it {}",
+                                     file.string(), without_ending(file).string() + "_%05d.exr"));
+    }
     if (ending == ending_of(own)) return own;
     if (ending == ".png") return "poster";
-    std::string endings = ".png, _%05d.png for one picture a frame";
+    std::string endings = ".png, _%05d.png or _%05d.exr or / for one picture a frame";
     for (const MovieFormat& format : movie_formats()) {
         if (ending == format.ending) return std::string(format.name);
         if (endings.find(format.ending) == std::string::npos)
@@ -92,8 +101,13 @@ std::string format_of(const Film& film, const fs::path& file) {
         fmt::format("{}: the name of a film must end in one of {}", file.string(), endings));
 }
 
-fs::path without_ending(fs::path file) {
-    return file.replace_extension();
+/// Makes the folder of a sequence, which may be new.
+void make_folder_of(const fs::path& file) {
+    std::error_code fault;
+    const fs::path folder = resolved_link(file).parent_path();
+    if (folder.empty() || fs::exists(folder, fault)) return;
+    fs::create_directories(folder, fault);
+    if (fault) throw Error(fmt::format("cannot write {}: {}", folder.string(), fault.message()));
 }
 
 /// Whether the sidecar of a file says that fumon made both.
@@ -156,8 +170,8 @@ std::vector<FilmOutput> film_outputs(const Film& film, const fs::path& file,
                                      std::int64_t most_bytes) {
     std::vector<FilmOutput> outputs;
     if (formats.empty()) {
-        outputs.push_back({file, film, most_bytes});
-        outputs.back().film.settings.format = format_of(film, file);
+        outputs.push_back({sequence_name(file), film, most_bytes});
+        outputs.back().film.settings.format = format_of(film, outputs.back().file);
         return outputs;
     }
     refuse_sequence(file, "--formats");
@@ -194,30 +208,10 @@ FilmOutput draft_output(const Film& film, const fs::path& file) {
     return output;
 }
 
-std::int64_t bytes_of_size(const std::string& text) {
-    double number = 0.0;
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, number);
-    std::string unit(read.ptr, end);
-    std::ranges::transform(unit, unit.begin(), [](unsigned char letter) {
-        return static_cast<char>(letter >= 'A' && letter <= 'Z' ? letter + 'a' - 'A' : letter);
-    });
-    const double factor = unit.empty() || unit == "b" ? 1.0
-                          : unit == "kb"              ? 1e3
-                          : unit == "mb"              ? 1e6
-                          : unit == "gb"              ? 1e9
-                                                      : 0.0;
-    const double bytes = number * factor;
-    constexpr double most = 1e15;
-    if (read.ec != std::errc{} || !(bytes >= 1.0) || bytes > most)
-        throw InputError(
-            fmt::format("--max-size: it takes a size such as 8MB or 500kB, not \"{}\"", text));
-    return static_cast<std::int64_t>(std::llround(bytes));
-}
-
 void claim_film(OutputClaims& claims, const FilmOutput& output) {
     const std::string& format = output.film.settings.format;
     if (format == "sequence") {
+        make_folder_of(output.file);
         const std::int64_t frames = Timeline(output.film).frames();
         for (std::int64_t frame = 0; frame < frames; ++frame) {
             const fs::path file = sequence_file(output.file, frame);

@@ -40,9 +40,6 @@ std::vector<FilmOutput> film_outputs(const Film& film, const std::filesystem::pa
 /// sheet of it, called NAME-draft.mp4 and NAME-draft.png.
 FilmOutput draft_output(const Film& film, const std::filesystem::path& file);
 
-/// "8MB", "500kB", "1.5MB" or bytes as a number of bytes. Throws InputError for another text.
-std::int64_t bytes_of_size(const std::string& text);
-
 /// The ending of a format's files: ".mp4", ".png".
 std::string ending_of(const std::string& format);
 

@@ -53,7 +53,7 @@ bool FilmPainter::transparent() const {
 
 FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize& size,
                          const TitleFacts& facts, gl::Backend backend, WorkerPool& pool,
-                         const std::vector<Override>& looks)
+                         const std::vector<Override>& looks, PictureCache* cache)
     : film_(film),
       runs_(runs),
       size_(size),
@@ -62,6 +62,7 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
       stage_(make_stage(film, runs.first(), layout_.size(), looks)),
       backend_(backend),
       pool_(pool),
+      cache_(cache),
       prefetch_(pool.size()) {
     if (layout_.boxes().size() > 1) stage_.overrun = overrun_of_pane(stage_.aspect);
     for (std::size_t i = 0; i < film.shots.size(); ++i) shots_.emplace_back(film, i, stage_, runs);
@@ -218,14 +219,15 @@ void FilmPainter::place_overlays(const FilmSize& size) {
     double end_time = 0.0;
     for (std::size_t run = 0; run < runs_.size(); ++run)
         end_time = std::max(end_time, runs_.beds(run).beds().back().time);
-    const auto make = [&](const Scene& scene, double side) -> std::unique_ptr<FrameOverlays> {
+    const auto make = [&](const Scene& scene, double side,
+                          double under = 0.0) -> std::unique_ptr<FrameOverlays> {
         if (!has_overlays(scene)) return nullptr;
         std::unique_ptr<FrameOverlays> made;
         located(film_, [&] {
             made = std::make_unique<FrameOverlays>(
                 scene, runs_.first().first(),
                 OverlayStyle{film_.settings.plates == Plates::none, true, safe_edge_share * side,
-                             end_time});
+                             end_time, under});
         });
         return made;
     };
@@ -241,7 +243,7 @@ void FilmPainter::place_overlays(const FilmSize& size) {
         whole_.view.layers.clear();
         whole_.view.placed_layers.reset();
     }
-    overlays_ = make(whole_, side);
+    overlays_ = make(whole_, side, layout_.strip());
     if (!several) return;
     const double pane_side =
         static_cast<double>(std::min(layout_.size().width, layout_.size().height));
@@ -292,9 +294,7 @@ bool leaves_sun_to_scene(const Shot& shot) {
 
 }  // namespace
 
-/// Reads the bed, and says how what its picture needs is found.
-PicturePrefetch::Find FilmPainter::preparation_of(std::size_t run,
-                                                  const ViewState& view_state) const {
+FramePose FilmPainter::pose_of(std::size_t run, const ViewState& view_state) const {
     FramePose frame{camera_of(stage_, view_state.pose), stage_.scene.view.sun,
                     view_state.pose.exposure};
     frame.sun.azimuth = view_state.pose.sun_azimuth;
@@ -304,22 +304,28 @@ PicturePrefetch::Find FilmPainter::preparation_of(std::size_t run,
     const StoredBeds& beds = *panes_[run].beds;
     frame.share =
         share_of_run(beds.beds()[bed_of(run, view_state.moment)].step, beds.scene().run.steps);
-    const Pane& pane = panes_[run];
-    const SunSettings there = sun_at(pane.sun, frame.share);
+    const SunSettings there = sun_at(panes_[run].sun, frame.share);
     if (there.hours != 0.0 && leaves_sun_to_scene(film_.shots[view_state.moment.shot]))
         frame.sun = there;
     if (differs()) frame.reference = panes_[1].beds->snapshot(bed_of(1, view_state.moment));
-    return [&renderer = *pane.renderer, bed = pane.beds->snapshot(bed_of(run, view_state.moment)),
-            frame, before = pane.lit](WorkerPool& pool) {
-        return renderer.ready(bed, frame, before, pool);
-    };
+    return frame;
+}
+
+/// Reads the bed, and says how what its picture needs is found.
+PicturePrefetch::Find FilmPainter::preparation_of(std::size_t run, const ViewState& view_state) {
+    Pane& pane = panes_[run];
+    return
+        [&renderer = renderer_of(pane), bed = pane.beds->snapshot(bed_of(run, view_state.moment)),
+         frame = pose_of(run, view_state),
+         before = pane.lit](WorkerPool& pool) { return renderer.ready(bed, frame, before, pool); };
 }
 
 void FilmPainter::prefetch_from(const PictureRequest& present) {
     auto next = std::ranges::find(coming_, present);
     if (next == coming_.end() || ++next == coming_.end()) return;
     const ViewState view_state = view_state_of(*next);
-    if (panes_[next->run].seen != view_state)
+    if (panes_[next->run].seen == view_state) return;
+    if (!cache_ || !cache_->holds(key_of(next->run, view_state)))
         prefetch_.begin(*next, preparation_of(next->run, view_state));
 }
 
@@ -328,22 +334,18 @@ Image FilmPainter::picture(std::size_t run, const FramePart& shown) {
     const PictureRequest wanted{run, shown.part->number, shown.share, frame_of(shown)};
     Pane& pane = panes_[run];
     const ViewState view_state = view_state_of(wanted);
-    std::optional<ReadyPicture> ready = prefetch_.take(wanted);
     if (pane.seen != view_state) {
-        if (!ready) ready = preparation_of(run, view_state)(pool_);
-        pane.lit = ready->lit;
-        pane.seen = view_state;
-        prefetch_from(wanted);
-        pane.image = pane.renderer->render(*ready);
+        show(run, wanted, view_state);
     } else {
+        prefetch_.wait_idle();
         prefetch_from(wanted);
     }
     Image image = pane.image;
     if (pane.overlays) {
         const std::size_t number = bed_of(run, view_state.moment);
         const Camera camera = camera_of(stage_, view_state.pose);
-        pane.overlays->draw(image, {*pane.beds->snapshot(number), pane.rows[number],
-                                    pane.renderer->frame_colour_range(), &camera});
+        pane.overlays->draw(
+            image, {*pane.beds->snapshot(number), pane.rows[number], pane.colours, &camera});
     }
     return image;
 }
@@ -373,21 +375,26 @@ void FilmPainter::write_over(Image& image, const FramePart& shown) {
     const std::size_t number = shot.bed_at(shown.share);
     const Pane& pane = panes_.front();
     const Camera camera = camera_of(stage_, shot.pose_at(shown.share));
-    overlays_->draw(image, {*pane.beds->snapshot(number), pane.rows[number],
-                            pane.renderer->frame_colour_range(), &camera, layout_.size().height});
+    overlays_->draw(image, {*pane.beds->snapshot(number), pane.rows[number], pane.colours, &camera,
+                            layout_.size().height});
 }
 
-Image FilmPainter::paint(std::int64_t frame) {
+void FilmPainter::begin_frame(std::int64_t frame) {
     open();
-    const std::vector<FramePart> shown = timeline_.at(frame);
     coming_ = pictures_of(frame);
     if (frame == last_frame_ + 1 && frame + 1 < frames()) {
         const std::vector<PictureRequest> next = pictures_of(frame + 1);
         coming_.insert(coming_.end(), next.begin(), next.end());
     }
     last_frame_ = frame;
+}
+
+Image FilmPainter::paint(std::int64_t frame) {
+    begin_frame(frame);
+    const std::vector<FramePart> shown = timeline_.at(frame);
     Image image = ground(shown.front());
     if (shown.size() == 1) {
+        titles_->darken(image, frame);
         write_over(image, shown.front());
     } else {
         Image second = ground(shown.back());
@@ -395,8 +402,11 @@ Image FilmPainter::paint(std::int64_t frame) {
                                 shown.back().part->kind == FilmPart::Kind::shot;
         if (both_shots) {
             image = mixed(std::move(image), second, shown.back().weight);
+            titles_->darken(image, frame);
             write_over(image, shown.back().weight < 0.5 ? shown.front() : shown.back());
         } else {
+            titles_->darken(image, frame);
+            titles_->darken(second, frame);
             write_over(image, shown.front());
             write_over(second, shown.back());
             image = mixed(std::move(image), second, shown.back().weight);
@@ -406,9 +416,10 @@ Image FilmPainter::paint(std::int64_t frame) {
     return image;
 }
 
-Image FilmPainter::untitled(const FramePart& shown) {
+Image FilmPainter::untitled(const FramePart& shown, std::int64_t frame) {
     open();
     Image image = ground(shown);
+    titles_->darken(image, frame);
     write_over(image, shown);
     return image;
 }

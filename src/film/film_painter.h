@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -12,6 +13,7 @@
 #include "base/worker_pool.h"
 #include "figure/overlays/frame_overlays.h"
 #include "film/beds/film_runs.h"
+#include "film/cache/picture_cache.h"
 #include "film/camera/moves.h"
 #include "film/camera/stage.h"
 #include "film/film_frames.h"
@@ -33,10 +35,11 @@ namespace fumon {
 class FilmPainter : public FilmFrames {
   public:
     /// All shots have the film's look, changed by `looks`. Film and runs outlive it. Throws
-    /// InputError, located, where the film does not fit the runs.
+    /// InputError, located, where the film does not fit the runs. Pictures are taken from `cache`
+    /// where they are there, and put there; none: all are drawn.
     FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize& size,
                 const TitleFacts& facts, gl::Backend backend, WorkerPool& pool,
-                const std::vector<Override>& looks = {});
+                const std::vector<Override>& looks = {}, PictureCache* cache = nullptr);
 
     ~FilmPainter() override;
 
@@ -49,10 +52,14 @@ class FilmPainter : public FilmFrames {
     [[nodiscard]] bool transparent() const override;
     /// Throws Error where OpenGL fails.
     Image paint(std::int64_t frame) override;
+    LayeredImage light(std::int64_t frame) override;
     void close() override;
 
-    /// A part of a frame with its overlays, without captions and cards over it.
-    Image untitled(const FramePart& shown);
+    /// A part of a frame with its overlays, without captions and cards over it, but darkened under
+    /// a card.
+    Image untitled(const FramePart& shown, std::int64_t frame);
+    /// The light of a shot's part of a frame.
+    LayeredImage light_of(const FramePart& shown);
     /// Writes the captions and cards of a frame over its parts.
     void write_titles(Image& image, std::int64_t frame);
 
@@ -84,9 +91,13 @@ class FilmPainter : public FilmFrames {
         std::shared_ptr<const LitBed> lit{};        ///< of its last picture
         std::optional<ViewState> seen{};            ///< likewise
         Image image{};                              ///< likewise, without overlays
+        FrameColourRange colours{};                 ///< likewise
+        std::optional<Sha256> key{};                ///< of all pictures of its renderer
+        std::map<std::size_t, Sha256> bed_keys{};   ///< of its snapshots, by their number
     };
 
     void open();
+    void begin_frame(std::int64_t frame);
     [[nodiscard]] bool differs() const { return film_.panes.show == PanesShow::difference; }
     [[nodiscard]] std::size_t bed_of(std::size_t run, const Moment& moment) const;
     [[nodiscard]] std::set<Moment> shown_moments() const;
@@ -99,8 +110,14 @@ class FilmPainter : public FilmFrames {
     [[nodiscard]] std::vector<PictureRequest> pictures_of(std::int64_t frame) const;
     [[nodiscard]] std::int64_t frame_of(const FramePart& shown) const;
     [[nodiscard]] ViewState view_state_of(const PictureRequest& wanted) const;
+    [[nodiscard]] FramePose pose_of(std::size_t run, const ViewState& view_state) const;
     [[nodiscard]] PicturePrefetch::Find preparation_of(std::size_t run,
-                                                       const ViewState& view_state) const;
+                                                       const ViewState& view_state);
+    Renderer& renderer_of(Pane& pane);
+    [[nodiscard]] RenderLimits limits() const;
+    const Sha256& bed_key(std::size_t run, const Moment& moment);
+    [[nodiscard]] Sha256 key_of(std::size_t run, const ViewState& view_state);
+    void show(std::size_t run, const PictureRequest& wanted, const ViewState& view_state);
     void prefetch_from(const PictureRequest& present);
     Image picture(std::size_t run, const FramePart& shown);
     Image ground(const FramePart& shown);
@@ -114,6 +131,7 @@ class FilmPainter : public FilmFrames {
     FilmStage stage_;
     gl::Backend backend_;
     WorkerPool& pool_;
+    PictureCache* cache_;
     std::vector<StagedShot> shots_;
     std::vector<std::string> notes_;
     std::unique_ptr<gl::Context> context_;     ///< while frames are drawn
@@ -121,6 +139,7 @@ class FilmPainter : public FilmFrames {
     Scene whole_;                              ///< as the stage's, of the film's size
     std::unique_ptr<FrameOverlays> overlays_;  ///< over the whole picture
     std::unique_ptr<Titles> titles_;
+    bool light_ = false;  ///< whether radiances are drawn
     std::int64_t last_frame_ = -2;
     std::vector<PictureRequest> coming_;  ///< of the present frame and, frame after frame, the next
     PicturePrefetch prefetch_;            // last: it uses the renderers

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "film/cache/picture_key.h"
 #include "film/film_painter.h"
 #include "gl/pinned.h"
 
@@ -14,14 +17,86 @@ namespace fumon {
 void FilmPainter::open() {
     if (context_) return;
     context_ = gl::Context::create(backend_);
+}
+
+RenderLimits FilmPainter::limits() const {
     RenderLimits limits;
     limits.draft = film_.settings.draft;
-    for (Pane& pane : panes_) {
-        if (&pane == &panes_.front() || !differs())
-            pane.renderer =
-                std::make_unique<Renderer>(*context_, pane.scene.view, pane.beds->first(),
-                                           pane.scene.run.steps, pool_, limits);
+    return limits;
+}
+
+/// Made for the first picture that is drawn: those of a film that is made again may all be kept.
+Renderer& FilmPainter::renderer_of(Pane& pane) {
+    if (!pane.renderer) {
+        pane.renderer = std::make_unique<Renderer>(
+            *context_, pane.scene.view, pane.beds->first(), pane.scene.run.steps, pool_, limits(),
+            light_ ? PixelFormat::radiance : PixelFormat::display_8);
     }
+    return *pane.renderer;
+}
+
+const Sha256& FilmPainter::bed_key(std::size_t run, const Moment& moment) {
+    Pane& pane = panes_[run];
+    const std::size_t number = bed_of(run, moment);
+    auto known = pane.bed_keys.find(number);
+    if (known == pane.bed_keys.end())
+        known = pane.bed_keys.emplace(number, snapshot_hash(*pane.beds->snapshot(number))).first;
+    return known->second;
+}
+
+Sha256 FilmPainter::key_of(std::size_t run, const ViewState& view_state) {
+    Pane& pane = panes_[run];
+    if (!pane.key)
+        pane.key = renderer_key(pane.scene, pane.beds->first(), limits(),
+                                environment_text(record().environment));
+    const Sha256 reference = differs() ? bed_key(1, view_state.moment) : Sha256{};
+    return picture_key(*pane.key, bed_key(run, view_state.moment), pose_of(run, view_state),
+                       reference);
+}
+
+/// Gives a run's pane the picture of a state, kept or drawn, and has the next one begin.
+void FilmPainter::show(std::size_t run, const PictureRequest& wanted, const ViewState& view_state) {
+    Pane& pane = panes_[run];
+    std::optional<ReadyPicture> ready = prefetch_.take(wanted);
+    std::optional<Sha256> key;
+    if (cache_) key = key_of(run, view_state);
+    std::optional<CachedPicture> kept;
+    if (cache_ && !ready) kept = cache_->find(*key);
+    pane.seen = view_state;
+    if (kept) {
+        pane.image = std::move(kept->image);
+        pane.colours = kept->colours;
+        prefetch_from(wanted);
+        return;
+    }
+    if (!ready) ready = preparation_of(run, view_state)(pool_);
+    pane.lit = ready->lit;
+    prefetch_from(wanted);
+    pane.image = pane.renderer->render(*ready);
+    pane.colours = pane.renderer->frame_colour_range();
+    if (cache_) cache_->add(*key, {pane.image, pane.colours});
+}
+
+LayeredImage FilmPainter::light(std::int64_t frame) {
+    begin_frame(frame);
+    const std::vector<FramePart> shown = timeline_.at(frame);
+    LayeredImage light = light_of(shown.front());
+    if (shown.size() == 1) return light;
+    return mixed(std::move(light), light_of(shown.back()), shown.back().weight);
+}
+
+LayeredImage FilmPainter::light_of(const FramePart& shown) {
+    if (!light_) {
+        close();
+        light_ = true;
+    }
+    open();
+    const PictureRequest wanted{0, shown.part->number, shown.share, frame_of(shown)};
+    std::optional<ReadyPicture> ready = prefetch_.take(wanted);
+    if (!ready) ready = preparation_of(0, view_state_of(wanted))(pool_);
+    panes_.front().lit = ready->lit;
+    prefetch_from(wanted);
+    return renderer_of(panes_.front()).render_light(*ready);
 }
 
 void FilmPainter::close() {
@@ -43,7 +118,7 @@ DrawingRecord FilmPainter::record() {
     const std::string obstacle = gl::rendering_is_pinned() ? text_is_not_pinned : "";
     DrawingRecord record{
         opengl_environment(context_->backend_name(), name, context_->version(), false), obstacle,
-        panes_.front().renderer->exaggeration(), figure_library()};
+        stage_.block.exaggeration, figure_library()};
     return record;
 }
 

@@ -5,6 +5,9 @@
 #include <cctype>
 #include <cstddef>
 #include <optional>
+#include <system_error>
+
+#include "files/input_file.h"
 
 namespace fumon {
 
@@ -42,6 +45,16 @@ std::optional<NumberPlace> number_place(const std::string& name) {
 
 bool is_frame_sequence(const std::filesystem::path& file) {
     return number_place(file.filename().string()).has_value();
+}
+
+bool holds_light(const std::filesystem::path& file) {
+    return small_ending(file) == ".exr";
+}
+
+std::filesystem::path sequence_name(const std::filesystem::path& file) {
+    std::error_code fault;
+    const bool is_folder = !file.has_filename() || std::filesystem::is_directory(file, fault);
+    return is_folder && !file.empty() ? file / "frame_%05d.png" : file;
 }
 
 std::filesystem::path sequence_file(const std::filesystem::path& file, std::int64_t frame) {

@@ -10,13 +10,15 @@
 namespace fumon {
 
 JoinedFilm::JoinedFilm(const Film& film, const FilmRuns& runs, const FilmSize& size,
-                       const TitleFacts& facts, gl::Backend backend, WorkerPool& pool)
+                       const TitleFacts& facts, gl::Backend backend, WorkerPool& pool,
+                       PictureCache* cache)
     : film_(film),
       runs_(runs),
       size_(size),
       facts_(facts),
       backend_(backend),
       pool_(pool),
+      cache_(cache),
       timeline_(film) {
     for (std::size_t i = 0; i < film.excerpts.size(); ++i) {
         const auto run = static_cast<std::size_t>(film.excerpts[i].run);
@@ -65,7 +67,8 @@ void JoinedFilm::place_piece(std::size_t number) {
 JoinedFilm::Piece::Piece(Film film_, FilmRuns runs_, const JoinedFilm& whole)
     : film(std::move(film_)),
       runs(std::move(runs_)),
-      painter(shots_frames(film, runs, whole.size_, whole.facts_, whole.backend_, whole.pool_)) {}
+      painter(shots_frames(film, runs, whole.size_, whole.facts_, whole.backend_, whole.pool_,
+                           whole.cache_)) {}
 
 FilmFrames& JoinedFilm::painter(std::size_t number) {
     const std::size_t wanted = piece_of_[number];
@@ -106,17 +109,18 @@ Image JoinedFilm::paint(std::int64_t frame) {
     Image image = ground(shown.front(), frame);
     if (shown.size() > 1)
         image = mixed(std::move(image), ground(shown.back(), frame), shown.back().weight);
+    titles_->darken(image, frame);
     titles_->draw(image, frame);
     return image;
 }
 
 std::unique_ptr<FilmFrames> film_frames(const Film& film, const FilmRuns& runs,
                                         const TitleFacts& facts, gl::Backend backend,
-                                        WorkerPool& pool) {
+                                        WorkerPool& pool, PictureCache* cache) {
     const FilmSize size = film_size(film);
     if (!film.excerpts.empty())
-        return std::make_unique<JoinedFilm>(film, runs, size, facts, backend, pool);
-    return shots_frames(film, runs, size, facts, backend, pool);
+        return std::make_unique<JoinedFilm>(film, runs, size, facts, backend, pool, cache);
+    return shots_frames(film, runs, size, facts, backend, pool, cache);
 }
 
 }  // namespace fumon

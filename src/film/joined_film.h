@@ -9,6 +9,7 @@
 
 #include "base/worker_pool.h"
 #include "film/beds/film_runs.h"
+#include "film/cache/picture_cache.h"
 #include "film/film_frames.h"
 #include "film/script/film.h"
 #include "film/script/film_sizes.h"
@@ -25,7 +26,8 @@ class JoinedFilm : public FilmFrames {
     /// Film, runs and pool outlive it. Throws InputError, located, where a piece asks for a run
     /// that there is not, and as FilmPainter for every piece.
     JoinedFilm(const Film& film, const FilmRuns& runs, const FilmSize& size,
-               const TitleFacts& facts, gl::Backend backend, WorkerPool& pool);
+               const TitleFacts& facts, gl::Backend backend, WorkerPool& pool,
+               PictureCache* cache = nullptr);
 
     [[nodiscard]] std::int64_t frames() const override { return timeline_.frames(); }
     [[nodiscard]] FilmSize size() const override { return size_; }
@@ -56,6 +58,7 @@ class JoinedFilm : public FilmFrames {
     TitleFacts facts_;
     gl::Backend backend_;
     WorkerPool& pool_;
+    PictureCache* cache_;
     Timeline timeline_;
     std::unique_ptr<Titles> titles_;
     std::vector<std::unique_ptr<Piece>> pieces_;
@@ -68,6 +71,6 @@ class JoinedFilm : public FilmFrames {
 /// their looks, else a FilmPainter. Arguments outlive it.
 std::unique_ptr<FilmFrames> film_frames(const Film& film, const FilmRuns& runs,
                                         const TitleFacts& facts, gl::Backend backend,
-                                        WorkerPool& pool);
+                                        WorkerPool& pool, PictureCache* cache = nullptr);
 
 }  // namespace fumon

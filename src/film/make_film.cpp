@@ -16,20 +16,21 @@
 #include "base/stopwatch.h"
 #include "files/atomic_file.h"
 #include "files/hash.h"
+#include "film/cache/frame_cache.h"
+#include "film/cache/frame_spool.h"
 #include "film/contact_sheet.h"
 #include "film/film_read.h"
 #include "film/film_texts.h"
-#include "film/frame_cache.h"
 #include "film/frame_consumer.h"
+#include "film/frame_pace.h"
 #include "film/frame_sequence.h"
-#include "film/frame_spool.h"
 #include "film/joined_film.h"
 #include "picture/colour_table.h"
+#include "picture/exr.h"
 #include "picture/movie.h"
 #include "run/picture_text.h"
 #include "run/terminal/interrupt.h"
 #include "run/terminal/job_watch.h"
-#include "run/terminal/progress.h"
 #include "scene/json.h"
 
 namespace fumon {
@@ -72,11 +73,25 @@ void add_to_hash(Sha256Stream& hash, const Image& image) {
     hash.add(pixels.data(), pixels.size());
 }
 
+/// Throws InputError for a film that has no light of its own to write.
+void check_light(const Film& film, const FilmRuns& runs) {
+    const auto refuse = [&](const std::string& key, std::string_view what) {
+        throw InputError(
+            fmt::format("{}OpenEXR files hold the light of a run; {}", film.at(key), what));
+    };
+    if (!film.excerpts.empty()) refuse("excerpt", "cut its pieces from one film each");
+    if (runs.size() > 1) refuse("panes.show", "make a film of each run");
+    for (std::size_t i = 0; i < film.cards.size(); ++i) {
+        if (film.cards[i].ground != CardBackground::picture)
+            refuse(fmt::format("card.{}.ground", i), "leave out cards before and after the shots");
+    }
+}
+
 /// One film being made into one file.
 class FilmMaker {
   public:
     FilmMaker(const FilmOutput& output, const FilmRuns& runs, const std::string& remake,
-              const WorkOptions& work, StatusLine& status)
+              const WorkOptions& work, StatusLine& status, PictureCache* cache)
         : output_(output),
           film_(output.film),
           runs_(runs),
@@ -84,7 +99,9 @@ class FilmMaker {
           status_(status),
           facts_{film_.settings.title.empty() ? beds_.scene().title : film_.settings.title, remake},
           pool_(work.threads, "fumon-render"),
-          painter_(film_frames(film_, runs, facts_, work.backend, pool_)) {
+          cache_(holds_light(output.file) ? nullptr : cache),
+          painter_(film_frames(film_, runs, facts_, work.backend, pool_, cache_)) {
+        if (holds_light(output.file)) check_light(film_, runs);
         for (const std::string& note : painter_->notes()) status.note(note);
         const MovieFormat* format = find_movie_format(film_.settings.format);
         const bool transparent = painter_->transparent();
@@ -115,36 +132,33 @@ class FilmMaker {
             }
         } catch (const Interrupted& stop) {
             made_.signal = stop.signal;
+            made_.goes_on = kept_.has_value();
         }
         status_.clear();
         return made_;
     }
 
   private:
-    Image draw(std::int64_t frame, std::int64_t done, std::int64_t all) {
+    Image draw(std::int64_t frame, std::int64_t all) {
+        made_.begun_frame = frame;
         if (const int signal = interrupting_signal(); signal != 0) throw Interrupted{signal};
+        const std::int64_t drawn_before = cache_ ? cache_->drawn() : 0;
         std::optional<Image> before = kept_ ? kept_->find(frame) : std::nullopt;
         const bool fits = before && before->width == painter_->size().width &&
                           before->height == painter_->size().height;
         Image image = fits ? *std::move(before) : painter_->paint(frame);
         if (image.transparent() && !open_) image = composited_on(image, 255);
         if (kept_ && !fits) kept_->add(frame, image);
-        const double seconds = watch_.seconds();
-        const double left =
-            seconds * static_cast<double>(all - done - 1) / static_cast<double>(done + 1);
+        pace_.count(!fits && (!cache_ || cache_->drawn() > drawn_before), watch_.seconds());
         if (JobWatch* const job = status_.watch(); job != nullptr) {
-            job->tell({{"frames", done + 1, all,
-                        fmt::format("{:.2g} frames/s", static_cast<double>(done + 1) / seconds)}},
-                      left);
+            job->tell(
+                {{"frames", done + 1, all, fmt::format("{:.2g} frames/s", pace_.per_second())}},
+                pace_.seconds_left(all));
             if (job->wants_picture()) {
                 job->show(std::make_shared<const Image>(image), fmt::format("frame {}", frame));
             }
         }
-        if (status_.due()) {
-            status_.show(fmt::format("frame {}/{} at {:.2g} frames/s, {} left",
-                                     with_commas(done + 1), with_commas(all),
-                                     static_cast<double>(done + 1) / seconds, clock_text(left)));
-        }
+        if (status_.due()) status_.show(pace_.text(all));
         return image;
     }
 
@@ -155,7 +169,7 @@ class FilmMaker {
             use(image);
         });
         for (std::int64_t frame = 0; frame < painter_->frames(); ++frame)
-            consumer.add(draw(frame, frame, painter_->frames()));
+            consumer.add(draw(frame, painter_->frames()));
         consumer.finish();
     }
 
@@ -190,7 +204,7 @@ class FilmMaker {
             second < 0.0 ? painter_->frames() / 2
                          : std::min<std::int64_t>(std::lround(second * film_.settings.rate),
                                                   painter_->frames() - 1);
-        const Image image = draw(frame, 0, 1);
+        const Image image = draw(frame, 1);
         add_to_hash(pixels_, image);
         made_.frames = 1;
         write_file(output_.file,
@@ -206,7 +220,8 @@ class FilmMaker {
         const auto count = static_cast<std::int64_t>(sheet.frames().size());
         made_.frames = 0;
         for (const std::int64_t frame : sheet.frames()) {
-            const Image image = draw(frame, made_.frames++, count);
+            ++made_.frames;
+            const Image image = draw(frame, count);
             add_to_hash(pixels_, image);
             sheet.add(frame, image);
         }
@@ -215,6 +230,7 @@ class FilmMaker {
 
     /// Each frame as a poster, which `fumon again` draws alone.
     void write_sequence() {
+        if (holds_light(output_.file)) return write_light();
         if (output_.goes_on) kept_.emplace(output_.file, identity());
         const double dots_per_inch = beds_.scene().view.image.dots_per_inch;
         const std::string drawn_by = environment();
@@ -228,6 +244,25 @@ class FilmMaker {
                        encode_png(image, dots_per_inch, texts_of(film, pixels, drawn_by)));
         });
         if (kept_) kept_->finish();
+    }
+
+    /// The light of each frame, for editors.
+    void write_light() {
+        for (std::int64_t frame = 0; frame < painter_->frames(); ++frame) {
+            made_.begun_frame = frame;
+            if (const int signal = interrupting_signal(); signal != 0) throw Interrupted{signal};
+            const LayeredImage light = painter_->light(frame);
+            PictureText texts = own_text();
+            texts.emplace_back(version_keyword, FUMON_VERSION);
+            texts.emplace_back(film_keyword, film_toml(film_));
+            texts.emplace_back(remake_keyword, facts_.remake);
+            texts.emplace_back("fumon:pixels-sha256", hex(layers_hash(light)));
+            texts.emplace_back("fumon:environment", environment());
+            write_file(sequence_file(output_.file, frame),
+                       encode_exr(light, beds_.scene().view.image.dots_per_inch, texts));
+            pace_.count(true, watch_.seconds());
+            if (status_.due()) status_.show(pace_.text(painter_->frames()));
+        }
     }
 
     /// The sheet beside a movie, as one that is made alone.
@@ -345,10 +380,12 @@ class FilmMaker {
     StatusLine& status_;
     TitleFacts facts_;
     WorkerPool pool_;
+    PictureCache* cache_;
     std::unique_ptr<FilmFrames> painter_;
     bool open_ = false;  ///< its frames have alpha
     Sha256Stream pixels_;
     Stopwatch watch_;
+    FramePace pace_;
     MadeFilm made_;
     std::optional<FrameCache> kept_;
 
@@ -375,8 +412,8 @@ fs::path captions_of(fs::path file) {
 }
 
 MadeFilm make_film(const FilmOutput& output, const FilmRuns& runs, const std::string& remake,
-                   const WorkOptions& work, StatusLine& status) {
-    FilmMaker maker(output, runs, remake, work, status);
+                   const WorkOptions& work, StatusLine& status, PictureCache* cache) {
+    FilmMaker maker(output, runs, remake, work, status, cache);
     const MadeFilm made = maker.make();
     if (made.signal == 0) maker.write_beside();
     return made;

@@ -29,6 +29,8 @@ class Panes {
     /// One for each picture that is drawn: of each run, or of a wipe and a difference.
     [[nodiscard]] const std::vector<PaneBox>& boxes() const { return boxes_; }
     [[nodiscard]] FilmSize size() const { return {boxes_.front().width, boxes_.front().height}; }
+    /// The height of the strips that hold the labels; 0 of one run.
+    [[nodiscard]] double strip() const { return strip_; }
     /// The ground on which the pictures are laid, with their labels.
     [[nodiscard]] const Image& ground() const { return ground_; }
     /// One line for the user where no font has a letter; else empty.

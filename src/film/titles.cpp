@@ -67,7 +67,7 @@ std::string subrip_time(double seconds) {
                        all / 1000 % 60, all % 1000);
 }
 
-void darken(Image& image, double share) {
+void lay_veil(Image& image, double share) {
     for (std::uint8_t& value : image.rgb)
         value = static_cast<std::uint8_t>(std::lround((1.0 - share) * value));
 }
@@ -156,6 +156,20 @@ double Titles::opacity_of(const Card& card, double seconds) const {
     return std::clamp(std::min(coming, going), 0.0, 1.0);
 }
 
+double Titles::opacity_at(const OverPicture& over, std::int64_t frame) const {
+    const std::int64_t within = frame - over.first;
+    if (within < 0 || within >= over.frames) return 0.0;
+    // None of a card that comes is on the first frame, which slides show until a film plays.
+    return opacity_of(film_.cards[over.number], static_cast<double>(within) / rate_);
+}
+
+void Titles::darken(Image& image, std::int64_t frame) const {
+    for (const OverPicture& over : over_) {
+        const double opacity = opacity_at(over, frame);
+        if (opacity > 0.0) lay_veil(image, veil_opacity * opacity);
+    }
+}
+
 void Titles::draw(Image& image, std::int64_t frame) const {
     const double second = static_cast<double>(frame) / rate_;
     for (const Placed& placed : captions_) {
@@ -168,12 +182,8 @@ void Titles::draw(Image& image, std::int64_t frame) const {
                               std::min(1.0, opacity));
     }
     for (const OverPicture& over : over_) {
-        const std::int64_t within = frame - over.first;
-        if (within < 0 || within >= over.frames) continue;
-        // None of a card that comes is on the first frame, which slides show until a film plays.
-        const double opacity =
-            opacity_of(film_.cards[over.number], static_cast<double>(within) / rate_);
-        darken(image, veil_opacity * opacity);
+        const double opacity = opacity_at(over, frame);
+        if (opacity <= 0.0) continue;
         const Lettering& lettering = cards_[over.number];
         lettering.draw(image, 0.5 * width_, 0.5 * (height_ - lettering.height()), opacity);
     }

@@ -42,6 +42,8 @@ class Titles {
     Titles(const Film& film, const FilmStage& stage, const Snapshot& first, const TitleFacts& facts,
            const Timeline& timeline, const std::vector<CanvasBox>& taken);
 
+    /// Darkens a frame of the film under the card that stands over it, before overlays are drawn.
+    void darken(Image& image, std::int64_t frame) const;
     /// Over a frame of the film.
     void draw(Image& image, std::int64_t frame) const;
     /// Draws a frame of the film's shots without its titles.
@@ -64,6 +66,7 @@ class Titles {
     };
 
     [[nodiscard]] double opacity_of(const Card& card, double seconds) const;
+    [[nodiscard]] double opacity_at(const OverPicture& over, std::int64_t frame) const;
     const Image& ground_of(std::size_t card, const PictureOf& picture);
 
     Film film_;

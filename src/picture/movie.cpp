@@ -46,7 +46,11 @@ namespace fumon {
 
 namespace {
 
-constexpr int codec_threads = 2;  // fixed: the bytes depend on it
+/// Fixed: the bytes depend on it. x264, which is held to a rate, asks its other threads how far
+/// they are, so that two would give other bytes each time.
+int codec_threads(const MovieFormat& format) {
+    return format.name == "h264" ? 1 : 2;
+}
 
 template <auto release>
 struct Release {
@@ -202,7 +206,7 @@ void Movie::Parts::open_codec(AVRational rate) {
         codec->color_range = AVCOL_RANGE_MPEG;
         codec->chroma_sample_location = AVCHROMA_LOC_LEFT;
     }
-    codec->thread_count = codec_threads;
+    codec->thread_count = codec_threads(coding.format);
     codec->gop_size = std::max(1, static_cast<int>(std::lround(av_q2d(rate))));
     codec->flags |= AV_CODEC_FLAG_BITEXACT;
     if (coding.format.muxer != "gif" && coding.format.muxer != "webp")
@@ -218,6 +222,8 @@ void Movie::Parts::open_codec(AVRational rate) {
                                      AV_OPT_SEARCH_CHILDREN));
         }
     }
+    if (open() && coding.format.name == "webm")  // whose frames of alpha have no hidden ones
+        check(libav().av_opt_set(codec.get(), "auto-alt-ref", "0", AV_OPT_SEARCH_CHILDREN));
     ::setenv("SVT_LOG", "0", 0);  // SVT-AV1 else tells of itself on standard error
     check(libav().avcodec_open2(codec.get(), encoder, nullptr));
 }

@@ -90,11 +90,31 @@ Image Renderer::render(const Snapshot& snapshot) {
 }
 
 Image Renderer::render(const ReadyPicture& picture) {
+    prepare_pose(picture);
+    return draw(picture);
+}
+
+void Renderer::prepare_pose(const ReadyPicture& picture) {
     state_->context.make_current();
     state_->set_light(picture.pose);
     state_->background.expect_other_cameras();
     prepare(picture);
-    return draw(picture);
+}
+
+LayeredImage Renderer::radiances(const ReadyPicture& picture) {
+    LayeredImage image;
+    image.width = static_cast<int>(state_->view.image.width);
+    image.height = static_cast<int>(state_->view.image.height);
+    set_matrices(image, picture.framed, picture.pose.camera);
+    image.layers = draw_radiances(picture);
+    return image;
+}
+
+LayeredImage Renderer::render_light(const ReadyPicture& picture) {
+    prepare_pose(picture);
+    LayeredImage image = radiances(picture);
+    gl::check_errors("a frame's light");
+    return image;
 }
 
 LayeredImage Renderer::render_layers(const Snapshot& whole, bool positions) {
@@ -102,11 +122,7 @@ LayeredImage Renderer::render_layers(const Snapshot& whole, bool positions) {
     prepare_sky(picture);
     prepare(picture);
     state_->uploaded.reset();
-    LayeredImage image;
-    image.width = static_cast<int>(state_->view.image.width);
-    image.height = static_cast<int>(state_->view.image.height);
-    set_matrices(image, picture.framed, picture.pose.camera);
-    image.layers = draw_radiances(picture);
+    LayeredImage image = radiances(picture);
     if (positions) {
         for (ImageLayer& layer : draw_positions(picture)) image.layers.push_back(std::move(layer));
     }

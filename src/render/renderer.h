@@ -83,6 +83,9 @@ class Renderer {
     /// with `positions` those of SurfacePositionLayers too. Of a renderer of radiances.
     LayeredImage render_layers(const Snapshot& snapshot, bool positions);
 
+    /// The radiances of a picture from another point and in another light, as render() draws it.
+    LayeredImage render_light(const ReadyPicture& picture);
+
     /// The vertical exaggeration in use.
     [[nodiscard]] double exaggeration() const;
     /// Keeps the colours of the first picture whose values differ for all later ones, unless
@@ -99,6 +102,9 @@ class Renderer {
     /// For a run during which the sun wanders or clouds drift.
     void prepare_sky(const ReadyPicture& picture);
     void prepare(const ReadyPicture& picture);
+    /// The same in the light of its pose.
+    void prepare_pose(const ReadyPicture& picture);
+    [[nodiscard]] LayeredImage radiances(const ReadyPicture& picture);
     Image draw(const ReadyPicture& picture);
     /// The same through the lens.
     Image draw_through_lens(const ReadyPicture& picture);

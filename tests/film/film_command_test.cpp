@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <thread>
 
+#include "picture/exr.h"
 #include "picture/movie.h"
 #include "picture/png.h"
 #include "support/program.h"
@@ -107,6 +109,45 @@ TEST_F(FilmCommandTest, APictureOfEachFrame) {
     EXPECT_EQ(refused.status, 2) << refused.errors;
     EXPECT_FALSE(fs::exists(folder_ / "mine_0.png"));
     EXPECT_EQ(film({"-o", "shot_%d.png", "--draft"}).status, 2);
+}
+
+TEST_F(FilmCommandTest, APictureOfEachFrameInAFolder) {
+    const Ended made = film({"-o", "frames/"});
+    ASSERT_EQ(made.status, 0) << made.errors;
+    EXPECT_TRUE(made.errors.starts_with("frames/frame_00000.png to frames/frame_00004.png: 5 "))
+        << made.errors;
+    ASSERT_EQ(film({"-o", "shot_%d.png"}).status, 0);
+    EXPECT_EQ(read_png(folder_ / "frames/frame_00002.png"), read_png(folder_ / "shot_2.png"));
+    ASSERT_EQ(film({"-o", "new/shot_%d.png"}).status, 0) << "in a folder that was not there";
+    EXPECT_TRUE(fs::exists(folder_ / "new/shot_4.png"));
+}
+
+TEST_F(FilmCommandTest, TheLightOfEachFrame) {
+    write_text(folder_ / "film.toml",
+               "[film]\nwidth = 64\nheight = 48\nrate = 5\nsupersampling = 1\n"
+               "[[shot]]\nseconds = 1\nfrom = 4\nto = 4\n"
+               "[[shot]]\nseconds = 1\nfrom = 4\nto = 4\ntransition = \"cross-fade\"\n"
+               "transition_seconds = 0.4\n[shot.sun]\nelevation = 8\n"
+               "[[overlay]]\nkind = \"time\"\n");
+    const Ended made = film({"-o", "light_%02d.exr"});
+    ASSERT_EQ(made.status, 0) << made.errors;
+    EXPECT_TRUE(made.errors.starts_with("light_00.exr to light_")) << made.errors;
+    const PictureText texts = read_exr_texts(folder_ / "light_00.exr");
+    EXPECT_TRUE(std::ranges::any_of(texts, [](const auto& text) {
+        return text.first == "fumon:film" && contains(text.second, "elevation = 8");
+    }));
+    EXPECT_EQ(film({"-o", "light_%02d.exr"}).status, 0) << "its own files are replaced";
+    const std::string first = read_text(folder_ / "light_00.exr");
+    ASSERT_EQ(film({"-o", "light_%02d.exr", "--threads", "1"}).status, 0);
+    EXPECT_EQ(read_text(folder_ / "light_00.exr"), first);
+    EXPECT_NE(read_text(folder_ / "light_05.exr"), first) << "the sun is another by then";
+    const Ended one = film({"-o", "light.exr"});
+    EXPECT_EQ(one.status, 2);
+    EXPECT_EQ(one.errors, "light.exr: OpenEXR holds one frame a file; name it light_%05d.exr\n");
+    write_text(folder_ / "film.toml",
+               std::string(short_film) + "[[card]]\nground = \"dark\"\nseconds = 0.6\n");
+    EXPECT_EQ(film({"-o", "card_%d.exr"}).status, 2);
+    EXPECT_FALSE(fs::exists(folder_ / "card_0.exr"));
 }
 
 TEST_F(FilmCommandTest, AgainSimulatesItsRunsAndGivesTheSameBytes) {
@@ -253,7 +294,11 @@ TEST_F(FilmCommandTest, OneThatIsKilledLeavesNoHalfFile) {
         ASSERT_TRUE(fs::exists(part));
         EXPECT_GE(fragments_of(part), 2) << "what a killed film leaves plays";
         long_film.send(signal);
-        EXPECT_EQ(long_film.wait().status, 128 + signal);
+        const Ended ended = long_film.wait();
+        EXPECT_EQ(ended.status, 128 + signal);
+        EXPECT_EQ(contains(ended.errors, "and not written; with --resume the same command would"),
+                  signal == SIGINT)
+            << ended.errors;
         EXPECT_FALSE(fs::exists(folder_ / "f.mp4"));
         EXPECT_EQ(fs::exists(part), signal == SIGKILL);
     }
@@ -280,7 +325,11 @@ TEST_F(FilmCommandTest, OneThatWasStoppedGoesOnAndHasTheSameBytes) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         ASSERT_TRUE(fs::exists(drawn));
         stopped.send(signal);
-        ASSERT_EQ(stopped.wait().status, 128 + signal) << "it ended before it was stopped";
+        const Ended ended = stopped.wait();
+        ASSERT_EQ(ended.status, 128 + signal) << "it ended before it was stopped";
+        EXPECT_EQ(contains(ended.errors, "and not written; the same command goes on there"),
+                  signal == SIGINT)
+            << ended.errors;
         EXPECT_FALSE(fs::exists(folder_ / "f.mp4"));
         EXPECT_GE(fragments_of(kept / "so-far.mp4"), signal == SIGKILL ? 2 : 8);
         frame += 6;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -72,6 +73,26 @@ TEST(FilmPainter, TheFirstFrameHasNothingOfACardThatComes) {
     FilmAtWork titled(shot + "[[card]]\ntitle = \"dunes\"\nseconds = 2\n");
     EXPECT_EQ(titled.painter.paint(0), plain.painter.paint(0));
     EXPECT_NE(titled.painter.paint(1), plain.painter.paint(1));
+}
+
+/// A time stamp and a scale bar stay as bright under a title as without one.
+TEST(FilmPainter, ATitleDoesNotDarkenWhatIsWrittenOverThePicture) {
+    const std::string shot =
+        "[[shot]]\nseconds = 2\nfrom = 4\nto = 4\n"
+        "[[overlay]]\nkind = \"time\"\nopacity = 1\nfont_size = 6\n";
+    FilmAtWork plain(shot);
+    FilmAtWork titled(shot + "[[card]]\ntitle = \"i\"\nseconds = 2\nfade = 0\n");
+    const Image bright = plain.painter.paint(4);
+    const Image dimmed = titled.painter.paint(4);
+    const auto brightest = [](const Image& image) {  // where the plate is
+        int most = 0;
+        for (int y = 0; y < 16; ++y)
+            for (int x = 0; x < 24; ++x) most = std::max<int>(most, image.row(y)[3 * x]);
+        return most;
+    };
+    EXPECT_GT(brightest(bright), 240);
+    EXPECT_EQ(brightest(dimmed), brightest(bright));
+    EXPECT_LT(dimmed.row(46)[3 * 60], bright.row(46)[3 * 60]) << "the picture itself is darker";
 }
 
 TEST(BedClock, KeepsItsPace) {

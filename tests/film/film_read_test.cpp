@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "film/cache/byte_size.h"
 #include "film/film_output.h"
 #include "film/script/film_sizes.h"
 #include "run/inputs/scene_argument.h"

@@ -37,6 +37,7 @@ Program::Program(const std::vector<std::string>& arguments, const fs::path& fold
     redirect(STDOUT_FILENO, output_);
     redirect(STDERR_FILENO, errors_);
     if (chdir(folder.c_str()) != 0) _exit(126);
+    setenv("FUMON_CACHE_SIZE", "0", 1);  // tests of films draw them
     for (const std::string& setting : environment) putenv(strdup(setting.c_str()));
 #ifdef FUMON_SANITIZED
     // The leak checker's tracer itself crashes now and then while the driver's threads are ending.

@@ -45,17 +45,19 @@ double place_across(OverlayCorner corner) {
 }
 
 /// The boxes of pieces in a picture, whole pixels: those of a corner below one another, `gap`
-/// pixels apart and from the edges.
+/// pixels apart and from the edges; the upper ones below `under` pixels on which something else
+/// stands.
 std::vector<CanvasBox> stacked_boxes(std::span<const OverlayPiece> pieces, double width,
-                                     double height, double gap) {
+                                     double height, double gap, double under) {
     const double edge = std::round(gap);
+    const double top_edge = under > 0.0 ? std::round(under + 0.5 * edge) : edge;
     std::array<double, corner_count> heights{};
     for (const OverlayPiece& piece : pieces)
         heights.at(static_cast<std::size_t>(piece.corner)) += std::ceil(piece.size.height) + edge;
     std::array<double, corner_count> next{};  // the top of each corner's next piece
     for (std::size_t corner = 0; corner < corner_count; ++corner)
         next.at(corner) =
-            is_lower(static_cast<OverlayCorner>(corner)) ? height - heights.at(corner) : edge;
+            is_lower(static_cast<OverlayCorner>(corner)) ? height - heights.at(corner) : top_edge;
     std::vector<CanvasBox> boxes;
     boxes.reserve(pieces.size());
     for (const OverlayPiece& piece : pieces) {
@@ -128,6 +130,7 @@ struct FrameOverlays::DrawnOverlay {
     std::unique_ptr<Overlay> overlay;
     double opacity = 0.0;
     bool shadowed = false;  ///< pale letters with a shadow, no plate
+    bool pale = false;      ///< pale letters on a dark plate
     std::optional<std::string> look;
     CanvasLayer layer;
 
@@ -155,7 +158,8 @@ struct FrameOverlays::DrawnOverlay {
         overlay->draw(canvas,
                       {room, room, place.box.width - 2.0 * room, place.box.height - 2.0 * room},
                       frame);
-        if (!shadowed) return canvas.layer();
+        if (pale && opacity > 0.0) return inverted(canvas.layer());
+        if (!shadowed && !pale) return canvas.layer();
         return with_soft_shadow(inverted(canvas.layer()),
                                 std::max(2, static_cast<int>(0.4 * padding)));
     }
@@ -173,12 +177,15 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
         if (!overlays[number].show) continue;
         // A colour bar's, a plot's and a map's colours mean something.
         const OverlayKind kind = overlays[number].kind;
-        const bool shadowed = style.shadowed && kind != OverlayKind::colour_bar &&
-                              kind != OverlayKind::plot && kind != OverlayKind::inset_map;
+        const bool neutral = kind != OverlayKind::colour_bar && kind != OverlayKind::plot &&
+                             kind != OverlayKind::inset_map;
+        const bool shadowed = style.shadowed && neutral;
         DrawnOverlay drawn;
         drawn.overlay = make_overlay(on, number);
         drawn.opacity = shadowed ? 0.0 : overlays[number].opacity;
         drawn.shadowed = shadowed;
+        drawn.pale =
+            neutral && kind != OverlayKind::legend && overlays[number].ink == OverlayInk::white;
         const bool fills = drawn.overlay->fills_picture();
         (fills ? over_all_ : drawn_).push_back(std::move(drawn));
         (fills ? over_all_placed_ : placed_).push_back({number, {}, 0.0});
@@ -203,8 +210,8 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
             const double room = 2.0 * plate_padding_em * placed_[i].font_size;
             pieces.push_back({settings.corner, {size.width + room, size.height + room}});
         }
-        const auto boxes =
-            stacked_boxes(pieces, width, height, std::max(plate_gap_em * tried, style.edge));
+        const auto boxes = stacked_boxes(pieces, width, height,
+                                         std::max(plate_gap_em * tried, style.edge), style.under);
         const std::size_t misfit = first_misfit(boxes, width, height);
         if (misfit == boxes.size()) {
             for (std::size_t i = 0; i < boxes.size(); ++i) placed_[i].box = boxes[i];

@@ -18,6 +18,7 @@ struct OverlayStyle {
     double edge = 0.0;          ///< pixels kept free along the picture's edges, at least
     /// The time up to which frames go, where that is known.
     std::optional<double> end_time{};
+    double under = 0.0;  ///< pixels along the upper edge that something else stands on
 };
 
 /// Where an overlay stands.

@@ -315,6 +315,12 @@ void list_one_overlay(OverlaySettings& overlay, const std::string& path, KeyTabl
         {.unit = "pixels", .range = {4, 1000}, .help = "of its text"});
     table.real(path + ".opacity", overlay.opacity,
                {.range = {0, 1}, .help = "of the plate behind it; 0: no plate"});
+    table.choice(
+        path + ".ink", overlay.ink,
+        {{OverlayInk::black, "black", "on a white plate"},
+         {OverlayInk::white, "white", "on a black plate; without one, with a soft shadow"}},
+        {.help = "colour of letters and lines, where no colours mean anything: not of "
+                 "colour bars, plots, maps and legends"});
 }
 
 }  // namespace

@@ -13,6 +13,9 @@
 namespace fumon {
 
 /// Where an overlay stands on a picture.
+/// What an overlay is written in.
+enum class OverlayInk { black, white };
+
 enum class OverlayCorner {
     upper_left,
     upper_middle,
@@ -185,6 +188,7 @@ struct OverlaySettings {
     double size = 0.25;                 ///< share of the picture's width; map: of its shorter side
     WordOrReal font_size{"auto", 0.0};  ///< pixels
     double opacity = 0.6;               ///< of the plate behind it, 0 … 1
+    OverlayInk ink = OverlayInk::black;
 };
 
 }  // namespace fumon

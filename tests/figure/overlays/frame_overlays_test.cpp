@@ -96,6 +96,46 @@ TEST(FrameOverlays, WhatIsSwitchedOffIsNotThere) {
         plotted_columns(scene_of(overlay("plot", "upper-left", "show = false"), 64, 48)).empty());
 }
 
+TEST(FrameOverlays, WhiteInkStandsOnADarkPlate) {
+    const Snapshot first = overlay_bed(40, 30, 0.5);
+    const auto drawn = [&](const std::string& more) {
+        const Scene scene = scene_of(overlay("title", "upper-left", more), 480, 270);
+        FrameOverlays over(scene, first);
+        Image image = grey(480, 270);
+        over.draw(image, {first, {}, {}});
+        const CanvasBox& box = over.placed().front().box;
+        const int x = static_cast<int>(box.x + 0.5 * box.width);
+        int low = 255;
+        int high = 0;
+        for (int y = static_cast<int>(box.y); y < static_cast<int>(box.bottom()); ++y) {
+            for (int at = x - 40; at < x + 40; ++at) {
+                low = std::min<int>(low, image.row(y)[3 * at]);
+                high = std::max<int>(high, image.row(y)[3 * at]);
+            }
+        }
+        return std::pair(low, high);
+    };
+    const auto [black_low, black_high] = drawn("opacity = 1");
+    EXPECT_LT(black_low, 40);
+    EXPECT_GT(black_high, 240);
+    const auto [plate, letters] = drawn("opacity = 0.5\nink = \"white\"");
+    EXPECT_LT(plate, 100) << "the plate is darker than the picture";
+    EXPECT_GT(letters, 200);
+    const auto [around, bare] = drawn("opacity = 0\nink = \"white\"");
+    EXPECT_LT(around, 127) << "a shadow";
+    EXPECT_GT(bare, 200);
+}
+
+TEST(FrameOverlays, StandBelowWhatTakesTheUpperEdge) {
+    const Snapshot first = overlay_bed(40, 30, 0.5);
+    const Scene scene = scene_of(overlay("title", "upper-left"), 480, 270);
+    OverlayStyle style;
+    style.edge = 12.0;
+    EXPECT_EQ(FrameOverlays(scene, first, style).placed().front().box.y, 12.0);
+    style.under = 20.0;
+    EXPECT_EQ(FrameOverlays(scene, first, style).placed().front().box.y, 26.0);
+}
+
 TEST(FrameOverlays, APlateIsBlendedInDisplayValues) {
     const Snapshot first = overlay_bed(60, 40, 0.5);
     for (const double opacity : {0.0, 0.25, 0.6, 1.0}) {

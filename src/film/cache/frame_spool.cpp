@@ -1,4 +1,4 @@
-#include "film/frame_spool.h"
+#include "film/cache/frame_spool.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "film/frame_cache.h"
+#include "film/cache/frame_cache.h"
 
 #include <fmt/format.h>
 
