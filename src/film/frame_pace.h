@@ -11,6 +11,8 @@ class FramePace {
   public:
     /// One frame more, ready so many seconds after the film was begun.
     void count(bool drawn, double seconds);
+    /// How many are ready.
+    [[nodiscard]] std::int64_t done() const { return done_; }
     /// Frames a second; after count().
     [[nodiscard]] double per_second() const;
     /// What the rest of so many frames will take.

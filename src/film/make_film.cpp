@@ -152,7 +152,7 @@ class FilmMaker {
         pace_.count(!fits && (!cache_ || cache_->drawn() > drawn_before), watch_.seconds());
         if (JobWatch* const job = status_.watch(); job != nullptr) {
             job->tell(
-                {{"frames", done + 1, all, fmt::format("{:.2g} frames/s", pace_.per_second())}},
+                {{"frames", pace_.done(), all, fmt::format("{:.2g} frames/s", pace_.per_second())}},
                 pace_.seconds_left(all));
             if (job->wants_picture()) {
                 job->show(std::make_shared<const Image>(image), fmt::format("frame {}", frame));
