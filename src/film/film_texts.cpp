@@ -9,6 +9,7 @@
 #include "files/input_file.h"
 #include "files/json_text.h"
 #include "outputs/output_claims.h"
+#include "picture/exr.h"
 #include "picture/movie.h"
 #include "picture/png.h"
 #include "run/picture_text.h"
@@ -56,6 +57,8 @@ FilmTexts read_film_texts(const fs::path& file) {
         texts = read_movie_texts(file);
     } else if (start_of_input_file(file, signature) == "\x89PNG") {
         texts = read_png_texts(file);
+    } else if (is_exr(start_of_input_file(file, signature))) {
+        texts = read_exr_texts(file);
     }
     return {texts.begin(), texts.end()};
 }

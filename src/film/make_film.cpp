@@ -248,13 +248,16 @@ class FilmMaker {
 
     /// The light of each frame, for editors.
     void write_light() {
+        Film film = film_;
+        film.settings.format = "poster";
         for (std::int64_t frame = 0; frame < painter_->frames(); ++frame) {
             made_.begun_frame = frame;
             if (const int signal = interrupting_signal(); signal != 0) throw Interrupted{signal};
             const LayeredImage light = painter_->light(frame);
             PictureText texts = own_text();
             texts.emplace_back(version_keyword, FUMON_VERSION);
-            texts.emplace_back(film_keyword, film_toml(film_));
+            film.settings.poster_second = static_cast<double>(frame) / film_.settings.rate;
+            texts.emplace_back(film_keyword, film_toml(film));
             texts.emplace_back(remake_keyword, facts_.remake);
             texts.emplace_back("fumon:pixels-sha256", hex(layers_hash(light)));
             texts.emplace_back("fumon:environment", environment());

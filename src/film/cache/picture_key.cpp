@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/view/camera.h"
 #include "run/build_identity.h"
 #include "scene/write.h"
 
