@@ -2,7 +2,7 @@
 // stop it.
 import { ask, client } from "./server.js";
 
-const made = (name, properties = {}, ...parts) => {
+export const made = (name, properties = {}, ...parts) => {
   const element = Object.assign(document.createElement(name), properties);
   element.append(...parts);
   return element;

@@ -1,4 +1,5 @@
 // The keys of the look, by their sections: each with its unit, range, default and help, changed ones marked.
+import { made } from "./job.js";
 import { post } from "./server.js";
 import { canRedo, canUndo, follow, redo, remember, set, settings, state, tell, undo, value } from "./state.js";
 
@@ -6,12 +7,6 @@ const rows = new Map();
 const list = document.getElementById("keys");
 const search = document.getElementById("search");
 const changedOnly = document.getElementById("changed-only");
-
-const made = (name, properties = {}, ...parts) => {
-  const element = Object.assign(document.createElement(name), properties);
-  element.append(...parts);
-  return element;
-};
 
 function range(key) {
   const low = key.minimum ?? null;

@@ -100,7 +100,7 @@ export function start() {
   let resized = null;
   new ResizeObserver(() => {
     clearTimeout(resized);
-    resized = setTimeout(() => { if (!drafting) drawWhole(); }, 400);
+    resized = setTimeout(() => { if (!drafting && (wantsWhole || !state.live)) drawWhole(); }, 400);
   }).observe(stage);
   refresh(state.live);
 }

@@ -3,18 +3,16 @@ import * as job from "./job.js";
 import { ask, get } from "./server.js";
 
 const at = (id) => document.getElementById(id);
-const made = (name, properties = {}, ...parts) => {
-  const element = Object.assign(document.createElement(name), properties);
-  element.append(...parts);
-  return element;
-};
+const { made } = job;
 
 let sweep = null;
-let ended = false;
+let ended = false;   // the job
+let closed = false;  // and the program that serves the page soon
 const chosen = { rows: -1, columns: -1 };
 const others = new Map();  // axis → value that is shown
 const pictures = new Map();  // run → its element
 
+const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 const wanted = [];  // pictures to be drawn
 let drawing = false;
 
@@ -22,12 +20,12 @@ let drawing = false;
 async function drawNext() {
   if (drawing) return;
   drawing = true;
-  while (wanted.length > 0) {
+  while (wanted.length > 0 && !closed) {
     const { run, image } = wanted[0];
     const response = await ask(`picture?run=${run}`).catch(() => null);
     if (!response) break;
     if (response.status === 202) {
-      await new Promise((done) => setTimeout(done, 3000));
+      await pause(3000);
       continue;
     }
     wanted.shift();
@@ -138,11 +136,12 @@ async function load() {
 }
 
 async function follow() {
+  if (ended) return;
   try {
     await load();
   } catch (refusal) {
-    at("state").textContent = refusal.message;
     if (ended) return;
+    at("state").textContent = refusal.message;
   }
   if (!ended && sweep?.runs.some((run) => run.status !== "done")) setTimeout(follow, 2000);
 }
@@ -153,9 +152,15 @@ async function start() {
   document.title = `${about.title} – fumon view`;
   if (about.job) {
     at("job").hidden = false;
-    job.start(at("job"), ({ outcome, stages }) => {
+    job.start(at("job"), async ({ outcome, stages }) => {
       if (!about.sweep) at("state").textContent = outcome || stages.map(({ name, done, all }) => `${name} ${done} of ${all}`).join(", ");
-      ended = Boolean(outcome);
+      if (!outcome || ended) return;
+      ended = true;
+      if (!about.sweep || stages.length === 0) return;  // without stages the program is gone already
+      await pause(1200);  // it looks at its folder once a second
+      await load();
+      for (let i = 0; i < 20 && drawing; ++i) await pause(100);
+      closed = true;
     });
   }
   if (about.sweep) {

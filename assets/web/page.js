@@ -28,17 +28,25 @@ function draw() {
 async function load() {
   if (loading) return;
   loading = true;
-  while (shown.bed !== wanted) {
-    const bed = wanted;
-    const bitmap = await pictureOf(bed);
-    const surfaces = surfacesOf(bed);
-    showBed(surfaces, bitmap);
-    bitmap.close();
-    shown = { bed, surfaces };
-    stage.dataset.bed = bed;
-    draw();
+  try {
+    while (shown.bed !== wanted) {
+      const bed = wanted;
+      const bitmap = await pictureOf(bed);
+      const surfaces = surfacesOf(bed);
+      showBed(surfaces, bitmap);
+      bitmap.close();
+      shown = { bed, surfaces };
+      stage.dataset.bed = bed;
+      draw();
+    }
+  } finally {
+    loading = false;
   }
-  loading = false;
+}
+
+function loadAgain() {
+  shown = { bed: -1, surfaces: null };
+  return load();
 }
 
 function goTo(bed) {
@@ -209,7 +217,7 @@ async function start() {
   part("message").textContent = "unpacking …";
   await unpackBeds();
   canvas.hidden = false;
-  startDrawing();
+  startDrawing(loadAgain);
   slider.max = run.beds.length - 1;
   await goTo(run.beds.length - 1);
   part("poster").hidden = true;

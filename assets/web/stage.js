@@ -165,13 +165,23 @@ function setPicture(bitmap) {
   gl.generateMipmap(gl.TEXTURE_2D);
 }
 
-/** Whether this browser draws; else why not is thrown. */
-function startDrawing() {
-  gl = canvas.getContext("webgl2", { antialias: true, alpha: true });
-  if (!gl) throw new Error("no WebGL 2");
+/** What lasts from bed to bed; once more where the browser took it away. */
+function prepareDrawing() {
+  for (const name of Object.keys(textures)) delete textures[name];
   programs = { top: program(surfaceCode, colourCode), walls: program(wallCode, plainCode) };
   makeMeshes();
   gl.enable(gl.DEPTH_TEST);
+}
+
+/** Throws why this browser does not draw; `again` is called when it has taken the picture away and draws once more. */
+function startDrawing(again) {
+  gl = canvas.getContext("webgl2", { antialias: true, alpha: true });
+  if (!gl) throw new Error("no WebGL 2");
+  const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+  if (Math.max(columns, rows) > most) throw new Error(`${Math.max(columns, rows)} points in a row, it draws ${most}`);
+  prepareDrawing();
+  canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+  canvas.addEventListener("webglcontextrestored", () => { prepareDrawing(); again(); });
 }
 
 function showBed(surfaces, bitmap) {

@@ -144,9 +144,7 @@ void declare(CLI::App& command, ExportOptions& options) {
          {"fumon export out/dunes -o - | awk 'NR > 6' > bed.txt", "to a program"}},
         raster_help() +
             "\nHTML, GLB, PLY and OBJ have the colours of a picture from above: --set "
-            "look.palette=… "
-            "and all other "
-            "looks change it.");
+            "look.palette=… and all other looks change it.");
 }
 
 void report_coarser(const HeightMesh& mesh) {

@@ -72,27 +72,33 @@ bool is_own_gallery(const fs::path& folder) {
            start_of_input_file(page, head).find(own_gallery_mark) != std::string::npos;
 }
 
-/// A run of an item, and its page among the item's files.
-struct PlannedPage {
-    PageRun run;
+struct MadePage {
     fs::path to;
+    std::string text;
 };
 
-/// Gives items of runs that stored beds a page.
-std::vector<PlannedPage> planned_pages(std::vector<GalleryItem>& items, const fs::path& folder) {
-    std::vector<PlannedPage> pages;
-    for (GalleryItem& item : items) {
-        if (item.run.empty()) continue;
+/// The page of an item's run; none, with a remark, where it stored no beds or they cannot be drawn.
+std::optional<MadePage> made_page(const GalleryItem& item, const fs::path& to, bool own,
+                                  OutputClaims& claims) {
+    std::optional<PageRun> run;
+    const auto attempt = [&](const auto& make) {
         try {
-            std::optional<PageRun> run = stored_page_run(item.run.string(), 0, {});
-            if (!run) continue;
-            item.page = item.name + ".html";
-            pages.push_back({*std::move(run), folder / "files" / item.page});
+            make();
+            return true;
         } catch (const InputError& fault) {
             remark(fmt::format("{}: no page to turn: {}\n", item.name, fault.what()));
+            return false;
         }
-    }
-    return pages;
+    };
+    if (!attempt([&] { run = stored_page_run(item.run.string(), 0, {}); }) || !run)
+        return std::nullopt;
+    claims.reads(run->files);
+    claims.check(to, own);
+    WorkOptions work;
+    if (makes_no_remarks()) work.verbosity = Verbosity::quiet;
+    MadePage page{to, {}};
+    if (!attempt([&] { page.text = page_file(*run, {}, work); })) return std::nullopt;
+    return page;
 }
 
 int perform(const GalleryOptions& options) {
@@ -103,8 +109,6 @@ int perform(const GalleryOptions& options) {
     std::vector<GalleryItem> items = gallery_items(from);
     const fs::path folder = options.folder;
     check_output_folder(folder, "the gallery");
-    std::vector<PlannedPage> pages;
-    if (options.pages) pages = planned_pages(items, folder);
 
     struct Written {
         fs::path to;
@@ -123,9 +127,16 @@ int perform(const GalleryOptions& options) {
     OutputClaims claims(options.force);
     for (const Written& written : all) claims.reads(written.file->source);
     for (const Written& written : all) claims.check(written.to, own);
-    for (const PlannedPage& page : pages) claims.reads(page.run.files);
-    for (const PlannedPage& page : pages) claims.check(page.to, own);
     claims.check(folder / "index.html", own);
+    std::vector<MadePage> pages;
+    for (GalleryItem& item : items) {
+        if (!options.pages || item.run.empty()) continue;
+        const std::string name = item.name + ".html";
+        if (auto made = made_page(item, folder / "files" / name, own, claims)) {
+            item.page = name;
+            pages.push_back(*std::move(made));
+        }
+    }
     const std::string page = gallery_page(options.title, items);
 
     std::error_code fault;
@@ -139,10 +150,7 @@ int perform(const GalleryOptions& options) {
             copy_whole(file->source, to);
         }
     }
-    WorkOptions work;
-    if (makes_no_remarks()) work.verbosity = Verbosity::quiet;
-    for (const PlannedPage& planned : pages)
-        write_file(planned.to, page_file(planned.run, {}, work));
+    for (const MadePage& made : pages) write_file(made.to, made.text);
     write_file(folder / "index.html", page);
     remark(
         fmt::format("{}: {} pictures and films\n", (folder / "index.html").string(), items.size()));

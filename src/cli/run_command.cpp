@@ -204,7 +204,8 @@ void tell_forecast(const PreparedRun& run, const RunOptions& options, Progress& 
     if (const std::string text = forecast_text(*forecast); !text.empty()) progress.note(text);
 }
 
-/// Shows a run that has begun in a browser.
+/// Takes the port at which a run is shown in a browser. Nobody knows the address before
+/// tell_address().
 void open_window(std::optional<JobServer>& window, JobWatch& watch, const PreparedRun& prepared,
                  const Snapshot& first, const RunFolder& folder, const RunOptions& options) {
     ViewOptions look;
@@ -219,8 +220,11 @@ void open_window(std::optional<JobServer>& window, JobWatch& watch, const Prepar
                 look);
         },
         options.watch.port);
+}
+
+void tell_address(const JobServer& window, const RunOptions& options) {
     std::FILE* const out = options.as_json ? stderr : stdout;
-    std::fputs(window->address_lines().c_str(), out);
+    std::fputs(window.address_lines().c_str(), out);
     std::fflush(out);
 }
 
@@ -268,6 +272,7 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
         report_drawing(drawing, progress);
         if (!drawing.environment.backend.empty())
             progress.verbose(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
+        if (options.watch.on) open_window(window, watch, prepared, first, folder, options);
         if (previous == nullptr) {
             folder.create(run_parts(scene, how.checkpoint_minutes));
         } else {
@@ -275,7 +280,7 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
             folder.resume(run_parts(scene, how.checkpoint_minutes), previous->checkpoint);
         }
         write_running_manifest(folder, facts, drawing);
-        if (options.watch.on) open_window(window, watch, prepared, first, folder, options);
+        if (window) tell_address(*window, options);
         if (previous == nullptr) tell_forecast(prepared, options, progress);
     };
     const RunOutcome outcome = run_pipeline(*prepared.model, scene, prepared.initial.inputs,

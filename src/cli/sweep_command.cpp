@@ -156,7 +156,8 @@ int report_outcome(const std::vector<RunRecord>& records, const std::string& wha
     return could_not_work;
 }
 
-/// Shows a sweep that has begun in a browser.
+/// Takes the port at which a sweep is shown in a browser. Nobody knows the address before
+/// tell_address().
 void open_window(std::optional<JobServer>& window, JobWatch& watch, const SweepOptions& options) {
     prepare_drawing(options.work);
     ViewOptions look;
@@ -166,7 +167,10 @@ void open_window(std::optional<JobServer>& window, JobWatch& watch, const SweepO
         watch,
         [folder = options.folder, look] { return std::make_unique<SweepPages>(folder, look); },
         options.watch.port);
-    std::fputs(window->address_lines().c_str(), stdout);
+}
+
+void tell_address(const JobServer& window) {
+    std::fputs(window.address_lines().c_str(), stdout);
     std::fflush(stdout);
 }
 
@@ -184,9 +188,10 @@ std::string end_text(const std::vector<RunRecord>& records, const std::string& f
 
 int sweep_alone(const SweepPlan& plan, const SweepOptions& options, JobWatch& watch,
                 StatusLine& status) {
-    const SweepFolder folder(options.folder, plan, options.force);
     std::optional<JobServer> window;
     if (options.watch.on) open_window(window, watch, options);
+    const SweepFolder folder(options.folder, plan, options.force);
+    if (window) tell_address(*window);
     for (const std::string& note : plan.notes) status.note(note);
     const std::vector<RunRecord> records =
         make_runs(plan, folder, all_runs(plan), true, options, status);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -66,7 +67,7 @@ void declare(CLI::App& command, ViewArguments& arguments) {
                     "saved")
         ->type_name("DIR");
     command.add_flag("--trust", arguments.options.trust,
-                     "let the page ask for pictures of any size");
+                     "let the page ask for pictures and models of any size");
     add_heights(command, arguments.heights);
     add_force(command, arguments.options.force);
     add_work_options(command, arguments.options.work);
@@ -175,6 +176,8 @@ int perform(const ViewArguments& arguments) {
                             arguments.port);
     std::fputs(address_lines(server).c_str(), stdout);
     std::fflush(stdout);
+    // A terminal that is closed ends it too, but under nohup.
+    if (std::signal(SIGHUP, request_stop) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
     while (interrupting_signal() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
     pages->cancel_all();
     return 0;

@@ -2,10 +2,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 
+#include "base/error.h"
 #include "base/stopwatch.h"
+#include "models/shared/check_finite.h"
 #include "run/stepper.h"
 #include "run/terminal/job_watch.h"
 #include "run/terminal/progress.h"
@@ -61,17 +64,25 @@ class ProgressPrinter : public StepObserver {
     Progress& progress_;
 };
 
-/// Hands the state to those who watch a run, when they ask for it.
+/// Hands the state to those who watch a run, when they ask for it, and at the last step. It takes
+/// no part in the run's own snapshots, which end the run where one is not finite: it goes as it
+/// goes when nobody watches.
 class WatchedState : public StepObserver {
   public:
     /// `watch` may be nullptr, as long as no run has this.
     WatchedState(JobWatch* watch, std::int64_t last_step) : watch_(watch), last_step_(last_step) {}
 
-    /// That of the last step, too, where somebody watches.
-    [[nodiscard]] bool wants(std::int64_t step) const override {
-        return watch_->wants_snapshot() || (step == last_step_ && watch_->has_clients());
+    void after_step(const Model& model) override {
+        const bool last = model.steps_done() == last_step_ && watch_->has_clients();
+        if (!last && !watch_->wants_snapshot()) return;
+        auto snapshot = std::make_shared<const Snapshot>(model.snapshot());
+        try {
+            check_finite(*snapshot);
+        } catch (const Error&) {
+            return;  // the run tells it when it comes to it
+        }
+        watch_->take(std::move(snapshot));
     }
-    void take(const SharedSnapshot& snapshot) override { watch_->take(snapshot); }
 
   private:
     JobWatch* watch_;

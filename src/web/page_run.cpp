@@ -66,6 +66,9 @@ PageRun single_page_run(std::string name, Scene scene, Snapshot snapshot, std::s
     InitialBed drawn;
     drawn.bed = snapshot.bed;
     drawn.scale = snapshot.scale;
+    // The page needs their names alone, to leave out the folders of this machine.
+    if (bed_kind(scene) == BedKind::file)
+        drawn.inputs.push_back({bed_path(scene).lexically_normal().string(), ""});
     lay_drape(scene, drawn);
     lay_layers(scene, drawn);
     note = std::move(drawn.note);
@@ -73,6 +76,7 @@ PageRun single_page_run(std::string name, Scene scene, Snapshot snapshot, std::s
     run.files.emplace_back(name);
     run.name = std::move(name);
     run.scene = std::move(scene);
+    run.inputs = std::move(drawn.inputs);
     run.beds = {{snapshot.step, snapshot.time, ""}};
     run.first = std::move(snapshot);
     run.snapshot = [only = std::make_shared<const Snapshot>(run.first)](std::size_t) {

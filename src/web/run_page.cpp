@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -77,6 +79,18 @@ std::string mask_letters(const Mask& nodata) {
     std::string bytes;
     for (const auto cell : nodata.values()) bytes += cell != 0 ? '\1' : '\0';
     return nodata.empty() ? "" : base64_text(deflated(bytes));
+}
+
+/// markup_text() of several lines: it takes a line's end for a letter that XML cannot hold.
+std::string markup_lines(const std::string& text) {
+    std::string marked;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        marked += markup_text(std::string_view(text).substr(begin, end - begin));
+        if (end < text.size()) marked += '\n';
+        begin = end + 1;
+    }
+    return marked;
 }
 
 std::string credits(const Scene& scene) {
@@ -161,7 +175,7 @@ std::string run_page(const PageRun& run, DrawnRun drawn, double& height_step) {
         if (name == "facts") return markup_text(facts_of(drawn));
         if (name == "last") return markup_text(drawn.beds.back().label);
         if (name == "credits") return markup_text(credits(run.scene));
-        if (name == "scene") return markup_text(scene);
+        if (name == "scene") return markup_lines(scene);
         if (name == "scene-letters") return base64_text(scene);
         if (name == "poster") return base64_text(drawn.poster);
         if (name == "poster-width") return fmt::format("{}", drawn.poster_width);

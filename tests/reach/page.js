@@ -98,6 +98,12 @@ async function use() {
   expect((await pixels()) === first, "the last bed looks another way after playing");
   await compareHeights();
 
+  await evaluate("globalThis.lost = document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context'); lost.loseContext()");
+  await pause(200);
+  await evaluate("lost.restoreContext()");
+  await pause(500);
+  expect((await pixels()) === first, "the picture does not come back after a loss of its context");
+
   await browser.scheme("dark");
   await pause(200);
   await browser.screenshot(folder, "page-dark");

@@ -1,6 +1,6 @@
 // node view.js BROWSER WHAT ADDRESS [FOLDER]: uses a page as a user does, and fails where it does not answer as it should;
 // screenshots go into the folder. WHAT: "run" of `fumon view RUN` (the settings of the still that it saves go to settings.txt),
-// "watch" of `fumon run --view`, whose run is watched to its end, "sweep" of `fumon view SWEEP`, "scene" of `fumon view SCENE`,
+// "watch" of `fumon run --view`, whose run is watched to its end, "watch-sweep" of `fumon sweep --view` likewise, "sweep" of `fumon view SWEEP`, "scene" of `fumon view SCENE`,
 // where other values of the model are computed and dem.asc is opened and filmed by the keyboard alone.
 "use strict";
 const fs = require("fs");
@@ -147,6 +147,12 @@ async function useSweep() {
   await screenshot("sweep-run");
 }
 
+async function useWatchSweep() {
+  await until("document.getElementById('job').textContent.includes('complete; ')", "the page does not hear that the sweep is complete");
+  await until("document.querySelectorAll('#grids a').length === 3", "the grid stays as it was before the end");
+  expect(await evaluate("document.getElementById('state').textContent") === "3 done", "not all runs are told as done");
+}
+
 async function useScene() {
   await until(`document.readyState === 'complete' && ${wholeIsSeen}`, "no picture");
   await key("model-creep_rate", "0.4");
@@ -196,7 +202,7 @@ async function useScene() {
   await screenshot("terrain-film");
 }
 
-const uses = { run: useRun, watch: useWatch, sweep: useSweep, scene: useScene };
+const uses = { run: useRun, watch: useWatch, sweep: useSweep, "watch-sweep": useWatchSweep, scene: useScene };
 async function use() {
   await browser.show(address);
   await uses[what]();

@@ -66,6 +66,12 @@ serve view swept
 use sweep
 end
 
+serve sweep terada-barchans -o watched-sweep -q --view --over model.creep_rate=0.1,0.2,0.3 --set grid.nx=128 --set grid.ny=128 \
+    --set run.steps=600 --set output.fields_every=300
+use watch-sweep
+wait "$server"
+server=""
+
 cp "$HERE/../../assets/terrain/west_bijou_gully.asc" dem.asc
 serve view terada-barchans --save filmed --set grid.nx=64 --set grid.ny=48 --set run.steps=60 --set image.width=640 --set image.height=360
 use scene

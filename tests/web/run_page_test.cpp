@@ -82,7 +82,7 @@ TEST_F(RunPageTest, HoldsTheBedsOfARun) {
     EXPECT_EQ(data["cells"], nlohmann::json({24, 16}));
     EXPECT_FALSE(data.contains("depths"));
     EXPECT_TRUE(contains(page, "Terada"));
-    EXPECT_TRUE(contains(page, "nx = 24"));
+    EXPECT_TRUE(contains(page, "\nnx = 24\n"));
     EXPECT_FALSE(contains(page, place_->path().string())) << "tells of folders of this machine";
     const std::vector<std::string> faults = faults_of_page(page);
     EXPECT_TRUE(faults.empty()) << faults.front();
@@ -136,6 +136,10 @@ TEST_F(RunPageTest, TakesTerrainWithHoles) {
     EXPECT_NEAR(data["heights"]["low"].get<double>(), 100.0, 0.01);
     EXPECT_TRUE(contains(page, "heights × 2"));
     EXPECT_TRUE(contains(page, "<title>dem</title>"));
+    ASSERT_EQ(write((*place_ / "dem.asc").string(), "far.html").status, 0);
+    const std::string far = read_text(*place_ / "far.html");
+    EXPECT_TRUE(contains(far, "dem.asc"));
+    EXPECT_FALSE(contains(far, place_->path().string())) << "tells of folders of this machine";
 }
 
 TEST_F(RunPageTest, HoldsTheWaterOfARun) {

@@ -6,6 +6,7 @@ import atexit
 import base64
 import html
 import os
+import secrets
 import socket
 import weakref
 from types import TracebackType
@@ -76,7 +77,7 @@ class View:
         if self.closed:
             return html.escape(repr(self))
         picture = self._core.picture(640)
-        return _page.format(name=f"fumon-view-{id(self)}", alt=html.escape(self._name), url=html.escape(self.url), height=self._height,
+        return _page.format(name=f"fumon-view-{secrets.token_hex(8)}", alt=html.escape(self._name), url=html.escape(self.url), height=self._height,
                             kind="png" if picture[1:4] == b"PNG" else "jpeg", picture=base64.b64encode(picture).decode(),
                             forward=html.escape(self.forward))
 

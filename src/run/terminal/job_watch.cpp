@@ -59,7 +59,7 @@ void JobWatch::take(std::shared_ptr<const Snapshot> snapshot) {
     const std::lock_guard lock(mutex_);
     snapshot_ = std::move(snapshot);
     wants_snapshot_ = false;
-    next_drawing_ = Clock::now() + least_interval;
+    next_drawing_ = std::max(next_drawing_, Clock::now() + least_interval);
 }
 
 void JobWatch::end(const std::string& outcome) {

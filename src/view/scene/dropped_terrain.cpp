@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
@@ -39,6 +40,25 @@ std::string shown_name(const HttpRequest& request) {
     return name.empty() ? "terrain" : name;
 }
 
+/// Deletes a file unless it is kept.
+class NewFile {
+  public:
+    explicit NewFile(std::filesystem::path path) : path_(std::move(path)) {}
+    ~NewFile() {
+        std::error_code ignored;
+        if (!kept_) std::filesystem::remove(path_, ignored);
+    }
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    void keep() { kept_ = true; }
+
+  private:
+    std::filesystem::path path_;
+    bool kept_ = false;
+};
+
 std::string heights_in(const HttpRequest& request) {
     const auto given = request.query.find("heights");
     return given == request.query.end() ? "" : given->second;
@@ -70,10 +90,12 @@ HttpAnswer DroppedTerrain::open(const HttpRequest& request) {
             "a PNG of heights",
             name));
     }
+    std::list<Opened> closed;  // which ends what it draws, after the lock
     const std::lock_guard lock(mutex_);
+    if (!folder_) folder_.emplace();
     const std::int64_t number = ++count_;
-    const std::filesystem::path file =
-        folder_.path() / (std::to_string(number) + std::string(ending));
+    NewFile uploaded(folder_->path() / (std::to_string(number) + std::string(ending)));
+    const std::filesystem::path& file = uploaded.path();
     write_file(file, request.body);
     const std::string heights = heights_in(request);
     std::unique_ptr<Pages> pages;
@@ -87,18 +109,19 @@ HttpAnswer DroppedTerrain::open(const HttpRequest& request) {
         pages = std::make_unique<ScenePages>(name, prepare_run(read({}), options_.work.threads),
                                              std::vector{file}, read, options_);
     } catch (const InputError& fault) {
-        std::error_code ignored;
-        std::filesystem::remove(file, ignored);
         std::string text = fault.what();  // by the name that the user knows
         for (std::size_t at = 0; (at = text.find(file.string(), at)) != std::string::npos;)
             text.replace(at, file.string().size(), name);
         throw InputError(text);
     }
     if (cancelled_) pages->cancel_all();
-    opened_.push_front({number, std::move(pages)});
+    opened_.push_front({number, file, std::move(pages)});
+    uploaded.keep();
     if (opened_.size() > most_opened) {
         opened_.back().pages->cancel_all();
-        opened_.pop_back();
+        std::error_code ignored;
+        std::filesystem::remove(opened_.back().file, ignored);
+        closed.splice(closed.begin(), opened_, std::prev(opened_.end()));
     }
     HttpAnswer answer;
     answer.type = "application/json";

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <list>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "files/scratch_folder.h"
@@ -17,9 +19,9 @@ namespace fumon {
 ///     POST terrain?name=dem.tif   its bytes → {"open": "terrain/1/"}
 ///     terrain/1/…                 the window of that terrain
 ///
-/// The file goes into a folder of this program alone, by a name of its own, and is deleted with it.
-/// It is read with the limits of a scene of unknown origin, as a format that names no other file.
-/// The last four are kept.
+/// The file goes into a folder of this program alone, by a name of its own, and is deleted when its
+/// terrain is closed, the folder with these pages. It is read with the limits of a scene of unknown
+/// origin, as a format that names no other file. The last four are kept.
 class DroppedTerrain : public Pages {
   public:
     DroppedTerrain(std::unique_ptr<Pages> pages, ViewOptions options);
@@ -30,6 +32,7 @@ class DroppedTerrain : public Pages {
   private:
     struct Opened {
         std::int64_t number;
+        std::filesystem::path file;
         std::shared_ptr<Pages> pages;
     };
 
@@ -38,9 +41,9 @@ class DroppedTerrain : public Pages {
 
     std::unique_ptr<Pages> pages_;
     ViewOptions options_;
-    fumon::ScratchFolder folder_;
     std::mutex mutex_;
-    std::list<Opened> opened_;  ///< the newest first
+    std::optional<fumon::ScratchFolder> folder_;  ///< from the first file on
+    std::list<Opened> opened_;                    ///< the newest first
     std::int64_t count_ = 0;
     bool cancelled_ = false;
 };

@@ -1,6 +1,7 @@
 #include "view/scene/scene_pages.h"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -86,6 +87,7 @@ Scene ScenePages::scene_with(const std::vector<std::string>& settings) const {
 }
 
 std::shared_ptr<Pages> ScenePages::pages_of(const std::vector<std::string>& settings) {
+    std::list<Computed> closed;  // which ends what it computes, after the lock
     const std::lock_guard lock(mutex_);
     const auto known = std::ranges::find(others_, settings, &Computed::settings);
     if (known != others_.end()) {
@@ -96,7 +98,7 @@ std::shared_ptr<Pages> ScenePages::pages_of(const std::vector<std::string>& sett
         computed(prepare_run(scene_with(settings), options_.work.threads));
     if (others_.size() >= most_other_computations) {
         others_.back().pages->cancel_all();
-        others_.pop_back();
+        closed.splice(closed.begin(), others_, std::prev(others_.end()));
     }
     if (cancelled_) pages->cancel_all();
     others_.push_front({settings, pages});

@@ -34,7 +34,8 @@ constexpr int length_required = 411;
 constexpr int too_large = 413;
 constexpr int unprocessable = 422;
 constexpr int failed = 500;
-constexpr int most_waiting = 256;
+constexpr int most_waiting = 256;          // connections that the system keeps
+constexpr std::size_t most_accepted = 64;  // that no thread serves yet; each is a descriptor
 
 /// All that a page loads comes from this server, and no page of others shows it; but notebooks of
 /// this machine, where they may.
@@ -55,7 +56,8 @@ httplib::Headers safe_headers(bool in_notebooks) {
     return headers;
 }
 
-/// Threads that are started as they are needed, up to a number.
+/// Threads that are started as they are needed, up to a number. Where many connections wait no
+/// further one is accepted, so that they leave descriptors for the files of a job.
 class Threads : public httplib::TaskQueue {
   public:
     explicit Threads(std::size_t most) : most_(most) {}
@@ -64,7 +66,8 @@ class Threads : public httplib::TaskQueue {
     using Taken = decltype(std::declval<httplib::TaskQueue&>().enqueue({}));
     Taken enqueue(std::function<void()> task) override {
         {
-            const std::lock_guard lock(mutex_);
+            std::unique_lock lock(mutex_);
+            room_.wait(lock, [&] { return tasks_.size() < most_accepted; });
             tasks_.push_back(std::move(task));
             if (idle_ < tasks_.size() && threads_.size() < most_)
                 threads_.emplace_back([this] { work(); });
@@ -93,6 +96,7 @@ class Threads : public httplib::TaskQueue {
             const std::function<void()> task = std::move(tasks_.front());
             tasks_.pop_front();
             lock.unlock();
+            room_.notify_one();
             task();
             lock.lock();
         }
@@ -101,6 +105,7 @@ class Threads : public httplib::TaskQueue {
     std::size_t most_;
     std::mutex mutex_;
     std::condition_variable wake_;
+    std::condition_variable room_;
     std::deque<std::function<void()>> tasks_;
     std::vector<std::thread> threads_;
     std::size_t idle_ = 0;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -41,9 +42,21 @@ std::string unit_of_key(const std::string& model, const std::string& path) {
     }
 }
 
-/// Where a value stands among those of an axis; none where it is no value of it.
-std::optional<std::size_t> place_of(const ListedAxis& axis, const std::string& value) {
-    const auto found = std::ranges::find(axis.values, value);
+/// Whether an axis has a table's value: as it was written, "0.10", or the same number.
+bool is_value(const std::string& written, const TableColumn& column, std::size_t row) {
+    if (written == column.text(row)) return true;
+    double number = 0.0;
+    const char* const end = written.data() + written.size();
+    const auto [last, fault] = std::from_chars(written.data(), end, number);
+    return column.words.empty() && fault == std::errc{} && last == end &&
+           number == column.values[row];
+}
+
+/// Where a table's value stands among those of an axis; none where it is no value of it.
+std::optional<std::size_t> place_of(const ListedAxis& axis, const TableColumn& column,
+                                    std::size_t row) {
+    const auto found = std::ranges::find_if(
+        axis.values, [&](const std::string& written) { return is_value(written, column, row); });
     if (found == axis.values.end()) return std::nullopt;
     return static_cast<std::size_t>(found - axis.values.begin());
 }
@@ -112,6 +125,7 @@ void SweepListing::place_runs() {
     }
     const fs::path file = folder_ / "runs.csv";
     std::error_code fault;
+    table_written_ = fs::last_write_time(file, fault);
     if (!fs::is_regular_file(file, fault)) return;
     try {
         const Table table = parse_csv_table({file.string(), read_input_file(file)});
@@ -125,8 +139,7 @@ void SweepListing::place_runs() {
                 const std::string& label = axes_[axis].label;
                 const TableColumn* column = table.find(label.substr(0, label.find('+')));
                 if (column == nullptr) continue;
-                if (const auto place = place_of(axes_[axis], column->text(row)))
-                    run.at[axis] = *place;
+                if (const auto place = place_of(axes_[axis], *column, row)) run.at[axis] = *place;
             }
         }
     } catch (const InputError&) {
@@ -166,6 +179,8 @@ const std::vector<ListedRun>& SweepListing::runs() {
         } catch (const Error&) {
             return runs_;
         }
+    } else if (fs::last_write_time(folder_ / "runs.csv", fault) != table_written_) {
+        place_runs();  // a sweep that grows writes it after its manifest, shards at their merge
     }
     for (ListedRun& run : runs_)
         if (run.status != "done") look_at(run);

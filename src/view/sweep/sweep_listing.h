@@ -49,7 +49,8 @@ class SweepListing {
     std::vector<ListedAxis> axes_;
     std::vector<ListedRun> runs_;
     std::filesystem::file_time_type manifest_written_{};
-    double next_look_ = 0.0;  ///< seconds of the steady clock
+    std::filesystem::file_time_type table_written_{};  ///< of runs.csv
+    double next_look_ = 0.0;                           ///< seconds of the steady clock
 };
 
 /// Whether a folder is that of a sweep.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
@@ -80,7 +81,8 @@ void SweepPages::cancel_all() {
     for (const OpenRun& run : open_) run.pages->cancel_all();
 }
 
-HttpAnswer SweepPages::about_answer() const {
+HttpAnswer SweepPages::about_answer() {
+    const std::lock_guard lock(listing_mutex_);  // a sweep that has grown is read again
     const std::string name = listing_.folder().string();
     return json_page({{"title", listing_.title().empty() ? name : listing_.title()},
                       {"job", options_.watch != nullptr},
@@ -156,6 +158,7 @@ HttpAnswer SweepPages::run_answer(HttpRequest request) {
 
 std::shared_ptr<Pages> SweepPages::pages_of(std::int64_t number) {
     check_shown(number);
+    std::list<OpenRun> closed;  // which ends what it draws, after the lock
     const std::lock_guard lock(open_mutex_);
     const auto known = std::ranges::find(open_, number, &OpenRun::number);
     if (known != open_.end()) {
@@ -172,7 +175,7 @@ std::shared_ptr<Pages> SweepPages::pages_of(std::int64_t number) {
     open_.push_front({number, std::move(pages)});
     if (open_.size() > most_open_runs) {
         open_.back().pages->cancel_all();  // whoever still asks it asks again
-        open_.pop_back();
+        closed.splice(closed.begin(), open_, std::prev(open_.end()));
     }
     return open_.front().pages;
 }

@@ -31,7 +31,7 @@ class SweepPages : public Pages {
     void cancel_all() override;
 
   private:
-    [[nodiscard]] HttpAnswer about_answer() const;
+    [[nodiscard]] HttpAnswer about_answer();
     [[nodiscard]] HttpAnswer sweep_answer();
     [[nodiscard]] HttpAnswer picture_answer(std::int64_t number);
     [[nodiscard]] HttpAnswer run_answer(HttpRequest request);

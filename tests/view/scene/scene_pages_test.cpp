@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "base/error.h"
 #include "scene/read.h"
 #include "support/program.h"
+#include "support/raw_http.h"
 #include "support/viewed_run.h"
 #include "view/scene/dropped_terrain.h"
 #include "view/subject/stored_subject.h"
@@ -161,6 +163,36 @@ TEST(DroppedTerrain, IsOpenedBesideWhatIsShown) {
     EXPECT_EQ(pages.answer({"GET", "terrain/5/subject", {}, {}}).status, 200);
     for (const char* path : {"terrain/", "terrain/5", "terrain/x/", "terrain/../", "terrain/9/"})
         EXPECT_EQ(pages.answer({"GET", path, {}, {}}).status, 404) << path;
+}
+
+TEST(DroppedTerrain, ItsFilesAreDeletedWithIt) {
+    const ScratchFolder folder;
+    std::filesystem::create_directories(folder / "temporary");
+    write_text(folder / "viewed.toml", viewed_scene);
+    test::Program program({"view", "viewed.toml"}, folder.path(),
+                          {"TMPDIR=" + (folder / "temporary").string()});
+    for (int i = 0; i < 600 && !contains(program.output(), "ssh -L"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    const std::string said = program.output();
+    const std::string begin = "http://127.0.0.1:";
+    ASSERT_TRUE(said.starts_with(begin)) << said;
+    const int port = std::stoi(said.substr(begin.size()));
+    std::string base = said.substr(said.find('/', begin.size()));
+    base.erase(base.find('\n'));
+    const auto files = [&] {
+        int count = 0;
+        for (const auto& entry :
+             std::filesystem::recursive_directory_iterator(folder / "temporary"))
+            count += entry.is_regular_file() ? 1 : 0;
+        return count;
+    };
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "temporary"));
+    for (int i = 0; i < 6; ++i)
+        ask(port, "POST", base + "terrain?name=a.asc", "127.0.0.1", "", small_terrain);
+    EXPECT_EQ(files(), 4);
+    program.send(SIGTERM);
+    EXPECT_EQ(program.wait().status, 0);
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "temporary"));
 }
 
 TEST(DroppedTerrain, RefusesWhatIsNoTerrainOrNamesOtherFiles) {

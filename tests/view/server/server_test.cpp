@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <thread>
@@ -122,6 +124,22 @@ TEST_F(ViewServer, TwoHundredClientsOnThreadsAndCutRequestsLeaveItAlive) {
     }
     for (std::thread& client : clients) client.join();
     EXPECT_EQ(heard, 200);
+}
+
+TEST_F(ViewServer, AcceptsNoMoreConnectionsThanItServesSoon) {
+    HttpLimits limits;
+    limits.threads = 4;
+    serve(limits);
+    const auto descriptors = [] {
+        const std::filesystem::directory_iterator all("/proc/self/fd");
+        return std::distance(begin(all), end(all));
+    };
+    std::vector<std::unique_ptr<RawConnection>> idle;
+    for (int i = 0; i < 200; ++i) idle.push_back(std::make_unique<RawConnection>(port_));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_LT(descriptors(), 200 + 100);  // those of both ends
+    idle.clear();
+    EXPECT_EQ(status_of(ask(port_, "GET", base_ + "x")), "200");
 }
 
 TEST_F(ViewServer, ClosesConnectionsThatAskForNothing) {

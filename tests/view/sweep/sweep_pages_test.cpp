@@ -101,6 +101,19 @@ TEST(SweepPages, MarksTheRunsThatFailedOrAreToCome) {
     EXPECT_EQ(runs[7]["status"], "done");
 }
 
+TEST(SweepPages, PlacesTheRunsOfASweepThatGrows) {
+    const ScratchFolder folder;
+    const fs::path sweep = small_sweep(folder.path());
+    fs::remove(sweep / "runs.csv");
+    std::string manifest = read_text(sweep / "sweep.json");
+    manifest.replace(manifest.find("\"0.2\""), 5, "\"0.20\"");  // as it may be written
+    write_text(sweep / "sweep.json", manifest);
+    SweepPages pages(sweep, {});
+    write_text(sweep / "runs.csv", "run,model.creep_rate,model.amount,seed\n1,0.2,0.3,1\n");
+    const json runs = json::parse(get_of(pages, "sweep").body)["runs"];
+    EXPECT_EQ(runs[0]["at"], (json{1, 1, 0}));
+}
+
 TEST(SweepPages, RefusesAManifestThatIsDamaged) {
     const ScratchFolder folder;
     for (const char* text :

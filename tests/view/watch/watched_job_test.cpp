@@ -136,6 +136,27 @@ TEST(WatchedJob, ASweepShowsItsGrid) {
     EXPECT_EQ(sweep.program().wait().status, 130);
 }
 
+TEST(WatchedJob, APortThatIsTakenReplacesNothing) {
+    const ScratchFolder folder;
+    const auto run = viewed_run(folder.path());
+    const std::string before = test::read_text(run / "run.json");
+    const ServingProgram other({"view", "run"}, folder.path());
+    const std::string port = std::to_string(other.port());
+    EXPECT_EQ(
+        test::fumon({"run", "viewed.toml", "-o", "run", "-q", "--force", "--view", "--port", port},
+                    folder.path())
+            .status,
+        2);
+    EXPECT_TRUE(test::read_text(run / "run.json") == before);
+    EXPECT_TRUE(std::filesystem::exists(run / "fields.nc"));
+    EXPECT_EQ(test::fumon({"sweep", "viewed.toml", "--seeds", "2", "-o", "s", "-q", "--view",
+                           "--port", port},
+                          folder.path())
+                  .status,
+              2);
+    EXPECT_FALSE(std::filesystem::exists(folder / "s"));
+}
+
 TEST(WatchedJob, OfASweepThatIsSharedOutThereIsNone) {
     const ScratchFolder folder;
     write_text(folder / "viewed.toml", viewed_scene);
