@@ -57,14 +57,25 @@ Grid velocity_of(const ForeignRun& run, Quantity velocity, Quantity flux, const 
     return values;
 }
 
-/// Turns velocities toward the east and north to those along the columns and rows.
+void negate(Grid& values) {
+    for (double& value : values.values()) value = -value;
+}
+
+/// Turns velocities toward the east and north, or along the file's own columns and rows, to those
+/// along the columns and rows of a turned grid.
 void turn_to_sides(const ForeignRun& run, Grid& u, Grid& v) {
     const auto by_compass = [&](Quantity quantity) {
         const ForeignField* field = run.find(quantity);
         return field != nullptr && field->by_compass;
     };
-    if (run.turn == 0.0 || !by_compass(Quantity::velocity_x) || !by_compass(Quantity::velocity_y))
+    if (run.turn == 0.0) return;
+    if (!by_compass(Quantity::velocity_x) && !by_compass(Quantity::velocity_y)) {
+        if (run.swapped) std::swap(u, v);
+        if (run.columns_fall) negate(u);
+        if (run.rows_fall) negate(v);
         return;
+    }
+    if (!by_compass(Quantity::velocity_x) || !by_compass(Quantity::velocity_y)) return;
     const double cosine = elementary::cos(run.turn);
     const double sine = elementary::sin(run.turn);
     for (std::size_t i = 0; i < u.size(); ++i) {

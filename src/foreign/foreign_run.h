@@ -47,6 +47,9 @@ struct ForeignRun {
     int ny = 0;
     WorldScale scale;
     double turn = 0.0;                 ///< radians, of the columns' direction against the east
+    bool swapped = false;              ///< the file's rows are the columns
+    bool columns_fall = false;         ///< the columns run against those of the file, or its rows
+    bool rows_fall = false;            ///< likewise the rows
     std::vector<ForeignField> fields;  ///< at most one of a quantity, the bed among them
     std::vector<std::string> others;   ///< further maps: "hmax (timemax, n, m)"
     ForeignTimes times;
@@ -68,7 +71,8 @@ struct ForeignQuery {
 
 /// The snapshot of a record. Cells without a bed are its no-data cells; water shallower than the
 /// run's `dry` is none. Velocities are those of the file, or its discharges over the depth, or 0;
-/// those by compass are turned to the sides of a turned grid.
+/// on a turned grid those by compass are turned to its sides, and others, which
+/// are along the file's columns and rows, change places and signs with these.
 /// Without a bed of its own it is the level minus the depth. Throws InputError for a damaged file
 /// and for a record without any bed.
 Snapshot foreign_snapshot(const ForeignRun& run, std::size_t record);

@@ -119,7 +119,8 @@ RawTimes times_of_mesh(const NetcdfInput& input, const MeshLayout& mesh, int rec
         return times;
     const auto start = input.numbers(NC_GLOBAL, "starttime");
     constexpr double first_date = 1e8;  // seconds since 1970; below, a start on no date
-    if (!start.empty() && start.front() > first_date)
+    constexpr double last_date = 1e11;
+    if (!start.empty() && start.front() > first_date && start.front() < last_date)
         times.origin = static_cast<std::int64_t>(start.front());
     return times;
 }
@@ -135,7 +136,8 @@ std::vector<double> LaidMesh::values(const NetcdfInput& input, const ForeignMap&
     if (variable && input.is_numeric(*variable)) {
         for (const int dimension : input.dimensions(*variable)) {
             const std::string name = input.dimension_name(dimension);
-            const bool along_mesh = input.dimension_length(dimension) == wanted && name == map.side;
+            const bool along_mesh =
+                length == 0 && name == map.side && input.dimension_length(dimension) == wanted;
             if (along_mesh) length = wanted;
             start.push_back(along_mesh || input.dimension_length(dimension) == 1 ? 0 : record);
             count.push_back(along_mesh ? wanted : 1);
@@ -170,7 +172,9 @@ std::shared_ptr<const LaidMesh> lay_mesh(const NetcdfInput& input, const MeshLay
     const bool chosen = !(cell > 0.0);
     const double of_edges = cell_of_edges(placed.mesh);
     if (chosen) cell = default_cell(placed.mesh, width, height);
-    if (width / cell * (height / cell) > static_cast<double>(largest_grid_cells))
+    const double columns = width / cell;
+    const double rows = height / cell;
+    if (!(std::max(columns, 1.0) * std::max(rows, 1.0) <= static_cast<double>(largest_grid_cells)))
         input.refuse(fmt::format("its mesh of {:.6g} x {:.6g} m on cells of {:g} m makes more than "
                                  "{} cells",
                                  width, height, cell, largest_grid_cells),

@@ -228,6 +228,9 @@ MapsPlace cells_place(const NetcdfInput& input, const ForeignMap& sides, Foreign
     MapsPlace place{place_of_maps(input, sides.variable)};
     run.scale = place.cells.scale;
     run.turn = place.cells.turn;
+    run.swapped = place.cells.swapped;
+    run.columns_fall = place.cells.columns_fall;
+    run.rows_fall = place.cells.rows_fall;
     run.nx = place.cells.nx;
     run.ny = place.cells.ny;
     if (!place.cells.note.empty()) run.notes.push_back(place.cells.note);
@@ -302,6 +305,7 @@ ForeignRun read_netcdf_run(const std::string& name, std::vector<fs::path> files,
                 volume_note(*place.mesh, chosen, last, [&](const ChosenMap& one) {
                     std::vector<double> values =
                         place.mesh->values(input, one.map, one.map.over_time ? last : 0);
+                    if (one.quantity == Quantity::bed) clear_usual_fill(values);
                     const UnitConversion conversion = conversion_of(input.name(), one);
                     for (double& value : values) value = conversion(value);
                     return values;

@@ -11,10 +11,10 @@ namespace fumon {
 /// The times along a dimension of records, by the variable of its name, else by one over it that is
 /// a time by its unit ("… since …"), standard name or name. `wanted`: such a variable by name.
 /// Records without any are counted, and a unit that is no time leaves them numbers, unless
-/// `unit` says what numbers without a unit are. Throws
-/// InputError for a calendar that is not known, NetcdfFault. The caller holds the NetcdfLock.
+/// `said` tells the unit of numbers without one. Throws InputError for a calendar that is not
+/// known, NetcdfFault. The caller holds the NetcdfLock.
 RawTimes netcdf_times(const NetcdfInput& input, int dimension, const std::string& wanted = {},
-                      const std::string& unit = {});
+                      const std::string& said = {});
 
 /// The variable that netcdf_times() reads; nothing where records are counted.
 std::optional<int> time_variable(const NetcdfInput& input, int dimension);

@@ -37,11 +37,6 @@ namespace {
 
 namespace py = pybind11;
 
-/// What plots over the pictures of a stored run show up to a record.
-MeasuredRows rows_of(const StoredBeds& beds, std::size_t record) {
-    return beds.measurements(plotted_columns(beds.scene())).at(record);
-}
-
 /// The stored records of a run, for Python to keep. Any thread may call; one reads at a time.
 /// Callers do not hold the interpreter's lock.
 class Results {
@@ -56,7 +51,7 @@ class Results {
     [[nodiscard]] Step record(std::size_t number) {
         const std::lock_guard lock(mutex_);
         process_.check();
-        return {beds_of().snapshot(number), {}, {}, rows_of(beds_of(), number), drawer_};
+        return {beds_of().snapshot(number), {}, {}, rows().at(number), drawer_};
     }
 
     /// The same, measured alone: celerities have no record before.
@@ -68,6 +63,14 @@ class Results {
         step.values = suite.row(*step.snapshot);
         step.columns = suite.columns();
         return step;
+    }
+
+    /// What was recognised of another model's run, which takes its ranges from all records.
+    [[nodiscard]] std::string description() {
+        const std::lock_guard lock(mutex_);
+        process_.check();
+        const ForeignRun* run = beds_of().foreign();
+        return run == nullptr ? std::string() : foreign_description(*run);
     }
 
     /// Writes a film: of a film file, of one that ships or, where `script` is empty, by rule.
@@ -91,6 +94,11 @@ class Results {
     }
 
   private:
+    /// What plots over the pictures show up to each record; measuring them reads all records, once.
+    const std::vector<MeasuredRows>& rows() {
+        if (rows_.empty()) rows_ = beds_of().measurements(plotted_columns(beds_of().scene()));
+        return rows_;
+    }
     static FilmRuns one(StoredBeds beds) {
         std::vector<StoredBeds> all;
         all.push_back(std::move(beds));
@@ -106,6 +114,7 @@ class Results {
     std::mutex mutex_;
     Process process_;
     std::shared_ptr<Drawer> drawer_;
+    std::vector<MeasuredRows> rows_;
 };
 
 py::dict film_of(Results& results, const std::string& file, const std::string& script,
@@ -247,12 +256,8 @@ void define_results(py::module_& core) {
         .def_property_readonly("steps", &steps_of)
         .def_property_readonly("dates", &dates_of)
         .def_property_readonly("fields", &fields_of_results)
-        .def_property_readonly("description",
-                               [](const Results& one) -> std::string {
-                                   const ForeignRun* run = one.beds_of().foreign();
-                                   if (run == nullptr) return {};
-                                   return unlocked([&] { return foreign_description(*run); });
-                               })
+        .def_property_readonly(
+            "description", [](Results& one) { return unlocked([&] { return one.description(); }); })
         .def(
             "record",
             [](Results& one, std::size_t number) {

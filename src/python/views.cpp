@@ -87,7 +87,9 @@ class LiveView {
         const std::string state = shown_->subject->work().state;
         const bool stored = state == "complete" || state == "running" || state == "interrupted" ||
                             state == "failed";
-        const std::size_t moment = stored ? shown_->subject->moments().size() - 1 : 0;
+        const std::size_t moments = shown_->subject->moments().size();
+        if (moments == 0) return {};
+        const std::size_t moment = stored ? moments - 1 : 0;
         const ImageSettings& image = shown_->subject->scene().view.image;
         const auto height = std::max<std::int64_t>(
             16, image.height * width / std::max<std::int64_t>(1, image.width));
@@ -153,8 +155,16 @@ void define_views(py::module_& core) {
             },
             py::arg("argument"), py::arg("settings"), py::arg("port"), py::arg("threads"))
         .def("close", &LiveView::close, py::call_guard<py::gil_scoped_release>())
-        .def_property_readonly("closed", &LiveView::closed)
-        .def_property_readonly("address", &LiveView::address)
+        .def_property_readonly("closed",
+                               [](LiveView& view) {
+                                   const py::gil_scoped_release unlocked;
+                                   return view.closed();
+                               })
+        .def_property_readonly("address",
+                               [](LiveView& view) {
+                                   const py::gil_scoped_release unlocked;
+                                   return view.address();
+                               })
         .def(
             "picture",
             [](LiveView& view, int width) {

@@ -63,6 +63,12 @@ TEST(Landmarks, AFloodFrontIsWhereTheDepthChangesAtOnce) {
     const Landmark front = find_landmark("flood front", flood);
     EXPECT_NEAR(front.x, 39.5, 0.2);
     EXPECT_NEAR(front.y, 23.5, 0.1);
+    flood.nodata = Mask(64, 48, 0);
+    for (int y = 0; y < 48; ++y) {  // where the data end, water does not
+        flood.nodata(5, y) = 1;
+        flood.fields.back().values(5, y) = 0.0;
+    }
+    EXPECT_NEAR(find_landmark("flood front", flood).x, 39.5, 0.2);
     for (double& metres : flood.fields.back().values.values()) metres = 2.0;
     EXPECT_EQ(find_landmark("flood front", flood).x, find_landmark("middle", flood).x) << "level";
 }

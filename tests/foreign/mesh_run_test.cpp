@@ -1,15 +1,19 @@
 // Results on triangles and polygons, laid on grids.
 
 #include <gtest/gtest.h>
+#include <netcdf.h>
 
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "base/snapshot_lookup.h"
+#include "files/netcdf/netcdf_input.h"
 #include "foreign/mesh/mesh_grid.h"
 #include "foreign/mesh_layouts.h"
+#include "foreign/mesh_maps.h"
 #include "foreign/open_run.h"
 #include "support/temporary_folder.h"
 
@@ -118,6 +122,27 @@ TEST_F(MeshRun, TrianglesOfAnugaAreLinear) {
     EXPECT_NEAR(first.bed(9, 9), 0.95, 1e-6);
 }
 
+TEST_F(MeshRun, NodesWithoutABedHoldNoWater) {
+    path = folder / "run.sww";
+    write_anuga(path);
+    const std::string whole = open(1.0).notes.back();
+    {
+        int file = 0;
+        int elevation = 0;
+        const std::size_t last = 3;
+        const double none = -9999.0;
+        must(nc_open(path.c_str(), NC_WRITE, &file));
+        must(nc_inq_varid(file, "elevation", &elevation));
+        must(nc_put_var1_double(file, elevation, &last, &none));
+        must(nc_close(file));
+    }
+    const std::string note = open(1.0).notes.back();
+    const auto volume = [](const std::string& text) {
+        return std::stod(text.substr(std::string("the cells hold ").size()));
+    };
+    EXPECT_LT(volume(note), volume(whole)) << note;
+}
+
 TEST_F(MeshRun, AnugaMayBeginAtADate) {
     path = folder / "run.sww";
     write_anuga(path, 1.6e9);
@@ -172,6 +197,40 @@ TEST_F(MeshRun, PartitionsAreNotOneMesh) {
     EXPECT_NE(message.find("all files of a run need the same mesh; join partitions first"),
               std::string::npos)
         << message;
+}
+
+TEST_F(MeshRun, AMapOverTheFacesTwiceIsReadOnceInAFurtherFile) {
+    write_delft3d_fm(path);
+    {
+        const NetcdfMaker maker(folder / "other.nc");
+        const int faces = maker.dimension("mesh2d_nFaces", 3);
+        const int s1 = maker.variable("mesh2d_s1", NC_DOUBLE, {faces, faces});
+        maker.values(s1, {3, 3}, {1, 2, 3, 4, 5, 6, 7, 8, 9});
+    }
+    const NetcdfLock lock;
+    const NetcdfInput first(path);
+    const auto mesh = lay_mesh(first, *find_mesh(first), 5.0);
+    const NetcdfInput second(folder / "other.nc");
+    ForeignMap map;
+    map.variable.name = "mesh2d_s1";
+    map.place = MapPlace::faces;
+    map.side = "mesh2d_nFaces";
+    EXPECT_EQ(mesh->values(second, map, 0), (std::vector<double>{1, 4, 7}));
+}
+
+TEST_F(MeshRun, AStartIndexThatIsNoNumberIsFoundByTheNodes) {
+    write_delft3d_fm(path);
+    {
+        int file = 0;
+        int connectivity = 0;
+        const double none = std::nan("");
+        must(nc_open(path.c_str(), NC_WRITE, &file));
+        must(nc_inq_varid(file, "mesh2d_face_nodes", &connectivity));
+        must(nc_redef(file));
+        must(nc_put_att_double(file, connectivity, "start_index", NC_DOUBLE, 1, &none));
+        must(nc_close(file));
+    }
+    expect_delft3d_fm(open());
 }
 
 TEST(MeshGrid, CellsTileAMeshWithoutGaps) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -95,6 +96,22 @@ TEST_F(ForeignNetcdf, VelocitiesByCompassAreTurnedWithTheGrid) {
     const Snapshot last = foreign_snapshot(open(), 2);
     EXPECT_NEAR((*field_of(last.fields, "velocity_x"))(3, 1), 0.8 * 0.5 + 0.6 * 1.0, 1e-6);
     EXPECT_NEAR((*field_of(last.fields, "velocity_y"))(3, 1), 0.8 * 1.0 - 0.6 * 0.5, 1e-6);
+}
+
+TEST_F(ForeignNetcdf, VelocitiesAlongTheFilesColumnsStaySoOnAGridTurnedFar) {
+    write_sfincs(path, 0.5, std::sqrt(0.75));  // 60 degrees: its rows are drawn as columns
+    const ForeignRun run = open();
+    ASSERT_EQ(run.nx, 3);
+    const Snapshot last = foreign_snapshot(run, 2);
+    EXPECT_GT((*field_of(last.fields, "water_depth"))(1, 3), 0.0);
+    EXPECT_NEAR((*field_of(last.fields, "velocity_y"))(1, 3), 0.5, 1e-6);
+    EXPECT_NEAR((*field_of(last.fields, "velocity_x"))(1, 3), 0.0, 1e-6);
+}
+
+TEST_F(ForeignNetcdf, VelocitiesAgainstTheDrawnColumnsChangeTheirSign) {
+    write_sfincs(path, -0.8, 0.6);  // 143 degrees
+    const Snapshot last = foreign_snapshot(open(), 2);
+    EXPECT_NEAR((*field_of(last.fields, "velocity_x"))(0, 1), -0.5, 1e-6);
 }
 
 TEST_F(ForeignNetcdf, HeightsOfMinus9999AreNone) {

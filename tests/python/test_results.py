@@ -74,12 +74,33 @@ def test_a_dataset_is_recognised_as_a_file_is(upside_down):
     assert last.cell_size == (10.0, 10.0)
 
 
+def test_times_need_not_have_the_name_of_their_dimension():
+    data = flood()
+    named = data.drop_vars("time").rename({"time": "record"}).assign_coords(t=("record", data["time"].values))
+    run = named.fumon.results()
+    assert list(run.times) == [0, 30, 60] and run.dates[2] == "2019-08-31 15:00 UTC"
+
+
 def test_variables_of_a_dataset_are_named():
     data = flood().rename({"h": "wetness", "zb": "floor"})
     run = data.fumon.results(bed="floor", depth="wetness")
     assert run[1].fields["water_depth"][0, 0] == 0.5
     with pytest.raises(fumon.InputError, match="has no map \"flor\""):
         data.fumon.results(bed="flor")
+
+
+@pytest.mark.parametrize("rows_fall", [False, True])
+def test_a_turned_dataset_is_drawn_along_its_sides(rows_fall):
+    data = flood().drop_vars(["x", "y"]).rename({"y": "n", "x": "m"})
+    n, m = np.meshgrid(np.arange(12) * 10.0, np.arange(16) * 10.0, indexing="ij")
+    data = data.assign_coords(x=(("n", "m"), 0.8 * m - 0.6 * n), y=(("n", "m"), 0.6 * m + 0.8 * n))
+    data["u"].attrs["standard_name"] = "eastward_sea_water_velocity"
+    data["v"] = (("time", "n", "m"), np.full((3, 12, 16), 1.0), {"units": "m s-1", "standard_name": "northward_sea_water_velocity"})
+    run = (data.isel(n=slice(None, None, -1)) if rows_fall else data).fumon.results()
+    assert run[2].bed[0, 0] == 6.0 and run[2].bed[11, 0] == 5.0
+    assert run[2].cell_size == pytest.approx((10.0, 10.0))
+    assert run[2].fields["velocity_x"][3, 2] == pytest.approx(0.8 * 0.25 + 0.6 * 1.0)
+    assert run[2].fields["velocity_y"][3, 2] == pytest.approx(0.8 * 1.0 - 0.6 * 0.25)
 
 
 def test_dask_computes_a_record_at_a_time():
@@ -102,6 +123,9 @@ def test_movies_and_films_show_water(tmp_path):
     data = flood()
     movie = data.fumon.movie(tmp_path / "a.mp4", rate=5, **SMALL)
     assert (movie.frames, movie.width, movie.height) == (3, 160, 120)
+    assert data.fumon.movie(tmp_path / "beds.mp4", rate=5, variable="h", cell_size=10, **SMALL).frames == 3
+    with pytest.raises(TypeError, match="cell_size is of a movie of heights"):
+        data.fumon.movie(tmp_path / "c.mp4", depth="h", cell_size=10)
     script = tmp_path / "film.toml"
     script.write_text('[film]\nwidth = 160\nheight = 120\nrate = 5\nsupersampling = 1\n'
                       '[[shot]]\nseconds = 1\nfrom = "start"\nto = "end"\nmove = "orbit"\nturn = 20\n')
@@ -134,5 +158,13 @@ def test_a_film_grows_with_a_running_model(tmp_path):
     assert dry.shape == (120, 160, 3)
     assert np.abs(dry.astype(int) - wet).mean() > 2
     assert (tmp_path / "grown.mp4").exists()
+    grid.at_node["surface_water__depth"][:32] = 0.0  # the southern rows
+    pictures = []
+    for origin in ("lower", "upper"):  # of the grid's own rows, whatever it says
+        with fumon.film(tmp_path / f"{origin}.mp4", rate=5, **SMALL) as film:
+            pictures.append(film.add(grid, origin=origin))
+            with pytest.raises(ValueError, match="no field 'h' at its nodes"):
+                film.add(grid, fields={"depth": "h"})
+    assert np.array_equal(*pictures)
     with pytest.raises(ValueError, match="needs a frame"):
         fumon.film(tmp_path / "none.mp4").finish()

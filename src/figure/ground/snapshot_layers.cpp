@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "figure/ground/ground_contours.h"
 #include "figure/ground/stream_lines.h"
 
@@ -25,9 +27,23 @@ LayerFeature line_feature(std::vector<BedPlace> places, double width, std::strin
     return feature;
 }
 
-PlacedLayer contour_layer(const LayerSettings& settings, const Snapshot& snapshot) {
+std::optional<GroundContours> contours_over(WordOrReal interval, const Snapshot& snapshot,
+                                            ManyContours many) {
+    constexpr double wider = 10.0;
+    while (true) {
+        try {
+            return ground_contours(interval, snapshot);
+        } catch (const InputError&) {
+            if (many == ManyContours::refused) throw;
+        }
+        interval.value *= wider;
+    }
+}
+
+PlacedLayer contour_layer(const LayerSettings& settings, const Snapshot& snapshot,
+                          ManyContours many) {
     PlacedLayer layer;
-    const auto contours = ground_contours(settings.interval, snapshot);
+    const auto contours = contours_over(settings.interval, snapshot, many);
     if (!contours) return layer;
     const int nx = snapshot.bed.nx();
     const int ny = snapshot.bed.ny();
@@ -64,10 +80,10 @@ bool any_of_ground(std::span<const LayerSettings> settings) {
 }
 
 void place_ground_layers(std::span<const LayerSettings> settings, const Snapshot& snapshot,
-                         PlacedLayers& placed) {
+                         PlacedLayers& placed, ManyContours many) {
     for (std::size_t n = 0; n < settings.size(); ++n) {
         if (settings[n].data == LayerData::contours)
-            placed.layers[n] = contour_layer(settings[n], snapshot);
+            placed.layers[n] = contour_layer(settings[n], snapshot, many);
         if (settings[n].data == LayerData::streams)
             placed.layers[n] = stream_layer(settings[n], snapshot);
     }

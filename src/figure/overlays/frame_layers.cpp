@@ -38,6 +38,7 @@ FrameLayers::FrameLayers(const OverlayScene& on, double font_size)
     if (const auto& placed = scene_.view.placed_layers) {
         settings_.insert(settings_.end(), scene_.view.layers.begin(), scene_.view.layers.end());
         placed_.layers.insert(placed_.layers.end(), placed->layers.begin(), placed->layers.end());
+        place_ground_layers(settings_, first_, placed_);
     }
 }
 
@@ -63,7 +64,7 @@ void FrameLayers::draw(Image& image, const OverlayFrame& frame, const std::vecto
     const bool of_ground = any_of_ground(settings_);
     if (of_ground) {
         with_ground = placed_;
-        place_ground_layers(settings_, snapshot, with_ground);
+        place_ground_layers(settings_, snapshot, with_ground, ManyContours::thinned);
     }
     const auto layers = seen_layers(
         {settings_, of_ground ? with_ground : placed_, picture, length_x_, length_y_, false},

@@ -191,15 +191,22 @@ Landmark flood_front(const Snapshot& bed) {
     if (depth == nullptr) return middle(bed);
     const int nx = bed.bed.nx();
     const int ny = bed.bed.ny();
+    const auto is_outside = [&](int x, int y) {
+        return !bed.nodata.empty() && bed.nodata(x, y) != 0;
+    };
     double sum = 0.0;
     double east = 0.0;
     double north = 0.0;
     for (int y = 0; y < ny; ++y) {
         for (int x = 0; x < nx; ++x) {
-            const double along =
-                (*depth)(std::min(x + 1, nx - 1), y) - (*depth)(std::max(x - 1, 0), y);
-            const double across =
-                (*depth)(x, std::min(y + 1, ny - 1)) - (*depth)(x, std::max(y - 1, 0));
+            if (is_outside(x, y)) continue;
+            const auto beside = [&](int i, int j) {  // where the data end there is no front
+                i = std::clamp(i, 0, nx - 1);
+                j = std::clamp(j, 0, ny - 1);
+                return is_outside(i, j) ? (*depth)(x, y) : (*depth)(i, j);
+            };
+            const double along = beside(x + 1, y) - beside(x - 1, y);
+            const double across = beside(x, y + 1) - beside(x, y - 1);
             const double steep = along * along + across * across;
             if (!(steep > 0.0)) continue;  // or the depth is not known there
             const double weight = steep * steep;

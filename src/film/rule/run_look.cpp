@@ -50,11 +50,12 @@ void find_pace(const StoredBeds& beds, RunLook& look) {
     if (!look.shaped) return;
     constexpr double start_alone =
         0.2;  // of all change: rain begins, or water drains that lay there
-    const double start = sums[1] > start_alone * sums.back() && sums.size() > 8 ? sums[1] : 0.0;
-    if (start > 0.0) {
-        look.begin = static_cast<int>(
-            std::ceil(100.0 * (steps[1] - steps.front()) / (steps.back() - steps.front())));
-    }
+    constexpr double latest_begin = 0.3;  // of all steps: a film shows what is left
+    const double passed = (steps[1] - steps.front()) / (steps.back() - steps.front());
+    const bool begins_later =
+        sums[1] > start_alone * sums.back() && sums.size() > 8 && passed < latest_begin;
+    const double start = begins_later ? sums[1] : 0.0;
+    if (begins_later) look.begin = static_cast<int>(std::ceil(100.0 * passed));
     const auto share_at = [&](double part, int low, int high) {
         const double wanted = start + part * (sums.back() - start);
         const auto after = std::ranges::lower_bound(sums, wanted) - sums.begin();
@@ -235,7 +236,13 @@ void find_largest(const StoredBeds& beds, const Snapshot& last, RunLook& look) {
 bool is_flood(const Snapshot& first) {
     const Grid* depth = field_of(first.fields, "water_depth");
     if (depth == nullptr) return false;
-    const auto [low, high] = std::ranges::minmax(first.bed.values());
+    double low = INFINITY;
+    double high = -INFINITY;
+    for (std::size_t cell = 0; cell < first.bed.size(); ++cell) {
+        if (!first.nodata.empty() && first.nodata.values()[cell] != 0) continue;
+        low = std::min(low, first.bed.values()[cell]);
+        high = std::max(high, first.bed.values()[cell]);
+    }
     const double deepest = *std::ranges::max_element(depth->values());
     return deepest > (high - low) * first.scale.height_unit;
 }
@@ -274,8 +281,11 @@ RunLook look_at_run(const StoredBeds& beds) {
     look.flood = first.landform == Landform::water && !look.section && is_flood(first);
     if (!look.endless && !look.section && !look.flood && is_surveyed_land(beds, view)) {
         look.endless = look.land = true;
-        look.showery = first.rain != nullptr && view.air.clouds == Clouds::none &&
-                       first.rain(0.0, beds.beds().back().time)(0, 0) > 0.0;
+        const Grid fallen =
+            first.rain != nullptr ? first.rain(0.0, beds.beds().back().time) : Grid();
+        look.showery =
+            view.air.clouds == Clouds::none &&
+            std::ranges::any_of(fallen.values(), [](double height) { return height > 0.0; });
     }
     find_pace(beds, look);
     const auto last = beds.heights(beds.beds().size() - 1);

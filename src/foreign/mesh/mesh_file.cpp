@@ -73,8 +73,7 @@ std::optional<MeshLayout> anuga_mesh(const NetcdfInput& input) {
 }
 
 std::vector<double> coordinate(const NetcdfInput& input, int variable, int dimension) {
-    std::vector<double> values(input.dimension_length(dimension));
-    (void)input.values_over(std::vector<int>{dimension});
+    std::vector<double> values(input.values_over(std::vector<int>{dimension}));
     check_netcdf(nc_get_var_double(input.id(), variable, values.data()));
     const MissingValues missing = missing_values(input, variable);
     for (const double value : values) {
@@ -89,7 +88,7 @@ std::vector<double> coordinate(const NetcdfInput& input, int variable, int dimen
 double first_node(const NetcdfInput& input, int connectivity, const std::vector<double>& numbers,
                   const MissingValues& missing, double nodes) {
     const auto said = input.numbers(connectivity, "start_index");
-    if (!said.empty()) return said.front();
+    if (!said.empty() && std::isfinite(said.front())) return said.front();
     double low = nodes;
     double high = 0.0;
     for (const double number : numbers) {

@@ -79,11 +79,14 @@ class DatasetAccessor:
               u: str | None = None, v: str | None = None, rate: float = 30.0, quality: int = 18,
               progress: bool | None = None, **options: Any) -> Movie:
         """A movie with a frame for each record. Where water is recognised or named (depth, level), it is drawn, and options are keys
-        of a scene; else it is a movie of heights, see fumon.movie()."""
+        of a scene; else, and with cell_size, origin or variable, it is a movie of heights, see fumon.movie()."""
         named = {"bed": bed, "depth": depth, "level": level, "u": u, "v": v}
-        if any(named.values()) or self._has_water():
-            look = {key: value for key, value in options.items()}
-            return results_of_dataset(self._dataset, named, look).movie(file, rate=rate, quality=quality, progress=progress)
+        of_heights = sorted(options.keys() & {"cell_size", "origin", "variable"})
+        if of_heights and any(named.values()):
+            also = next(quantity for quantity, name in named.items() if name)
+            raise TypeError(f"{of_heights[0]} is of a movie of heights alone, which takes no {also}")
+        if any(named.values()) or (not of_heights and self._has_water()):
+            return results_of_dataset(self._dataset, named, options).movie(file, rate=rate, quality=quality, progress=progress)
         return movie(self._dataset, file, rate=rate, quality=quality, progress=progress, **options)
 
     def _has_water(self) -> bool:

@@ -13,7 +13,7 @@ from .images import Image, PathLike
 from .movies import Movie
 from .results import Results, results_of
 from .settings import Setting, settings_of
-from .terrain import CellSize, Origin, bed_of, cells_of_coordinates, ordered_dims
+from .terrain import CellSize, Origin, bed_of, cells_of_coordinates, ordered_dims, sides_of_coordinates
 
 _Quantities = Mapping[str, "str | None"]
 _attributes = ("source", "title", "model", "program", "Producer", "history", "institution", "Conventions")
@@ -38,7 +38,11 @@ def results_of_dataset(dataset: Any, named: _Quantities, look: Mapping[str, Sett
             raise ValueError(f"{first.name} {first.dims} and {variable} {values.dims} lie on different grids")
         changes[quantity] = along in values.dims
         readers[quantity] = _reader(values, along, factor, offset)
-    size, place = cells_of_coordinates(first if along not in first.dims else first.isel({along: 0}))
+    plane_of_first = first if along not in first.dims else first.isel({along: 0})
+    size, place = cells_of_coordinates(plane_of_first)
+    turn = sides_of_coordinates(plane_of_first)[2]
+    if turn != 0.0 and all(_is_by_compass(maps[name]) for quantity, name, *_ in chosen if quantity in ("u", "v")):
+        _turn_to_sides(readers, turn)
     source = _core.RecordSource(name, model, dry, plane.shape, size, place, times, counted, origin, readers, changes)
     return results_of(source, look)
 
@@ -48,11 +52,23 @@ def _described(name: str, values: Any, along: str) -> tuple[str, str, str, str, 
     return name, ", ".join(map(str, values.dims)), standard_name, unit, positive, along in values.dims
 
 
+def _is_time(key: Any, coordinate: Any) -> bool:
+    return (coordinate.dtype.kind == "M" or str(key) == "time" or
+            " since " in str(coordinate.attrs.get("units", "")))
+
+
+def _coordinate_of_records(dataset: Any, along: str) -> Any:
+    """The times: the coordinate of the dimension's name, else one over it that is a time. None where there is neither."""
+    if along in dataset.coords:
+        return dataset.coords[along]
+    return next((coordinate for key, coordinate in dataset.coords.items()
+                 if coordinate.dims == (along,) and _is_time(key, coordinate)), None)
+
+
 def _dimension_of_records(dataset: Any) -> str:
     """The dimension of times; else the first of a variable of three. "" where there are no records."""
     for key, coordinate in dataset.coords.items():
-        if coordinate.ndim == 1 and (coordinate.dtype.kind == "M" or str(key) == "time" or
-                                     " since " in str(coordinate.attrs.get("units", ""))):
+        if coordinate.ndim == 1 and _is_time(key, coordinate):
             return str(coordinate.dims[0])
     for values in dataset.data_vars.values():
         over = [str(dim) for dim in values.dims if values.sizes[dim] > 1]
@@ -77,9 +93,9 @@ def _plane(values: Any, along: str, record: int) -> Numbers:
     plane = plane.transpose(north, east)
     masked = plane.to_masked_array()
     numbers: Numbers = np.where(np.broadcast_to(masked.mask, masked.shape), np.nan, np.asarray(masked.data, dtype=np.float64))
-    for axis, dim in enumerate((north, east)):
-        coordinate = plane.coords[dim] if dim in plane.coords else None
-        if coordinate is not None and coordinate.size > 1 and coordinate.values[-1] < coordinate.values[0]:
+    columns_fall, rows_fall, _ = sides_of_coordinates(plane)
+    for axis, falls in enumerate((rows_fall, columns_fall)):
+        if falls:
             numbers = np.flip(numbers, axis)
     return np.ascontiguousarray(numbers)
 
@@ -96,13 +112,28 @@ def _reader(values: Any, along: str, factor: float, offset: float) -> Callable[[
     return constant
 
 
+def _is_by_compass(values: Any) -> bool:
+    name = str(values.attrs.get("standard_name", ""))
+    return "eastward" in name or "northward" in name
+
+
+def _turn_to_sides(readers: dict[str, Callable[[int], Numbers]], turn: float) -> None:
+    """Velocities toward the east and north as those along the columns and rows of a turned grid."""
+    if "u" not in readers or "v" not in readers:
+        return
+    east, north = readers["u"], readers["v"]
+    cosine, sine = np.cos(turn), np.sin(turn)
+    readers["u"] = lambda record: cosine * east(record) + sine * north(record)
+    readers["v"] = lambda record: cosine * north(record) - sine * east(record)
+
+
 def _times(dataset: Any, along: str) -> tuple[list[float], bool, int | None]:
     """Seconds, whether these are numbers without a unit, and the moment of 0, seconds from 1970."""
     if not along:
         return [0.0], True, None
-    if along not in dataset.coords:
+    times = _coordinate_of_records(dataset, along)
+    if times is None:
         return list(map(float, range(dataset.sizes[along]))), True, None
-    times = dataset.coords[along]
     if times.dtype.kind == "M":
         seconds = times.values.astype("datetime64[ns]").astype(np.int64) / 1e9
         origin = int(np.floor(seconds[0]))
@@ -144,11 +175,11 @@ class GrowingFilm:
         is_grid = hasattr(bed, "at_node") and hasattr(bed, "shape")
         ground = bed_of(bed, cell_size, origin, names["bed"] if is_grid else None)
         planes: dict[str, Numbers] = {"bed": _with_nan(ground)}
-        if is_grid and depth is None and names["depth"] in bed.at_node:  # type: ignore[union-attr]
-            depth = np.asarray(bed.at_node[names["depth"]]).reshape(bed.shape)  # type: ignore[union-attr]
         for key, values in (("depth", depth), ("u", u), ("v", v)):
             if values is not None:
                 planes[key] = _with_nan(bed_of(values, None, origin))
+        if is_grid and depth is None and self._has_depth(bed, fields):  # of the grid's own rows, whatever origin says
+            planes["depth"] = _with_nan(bed_of(bed, None, "lower", names["depth"]))
         if self._painter is not None:
             more = sorted(planes.keys() - self._keys)
             if more:
@@ -163,6 +194,13 @@ class GrowingFilm:
         self._writer.add(image)
         self._count += 1
         return image
+
+    @staticmethod
+    def _has_depth(grid: Any, fields: Mapping[str, str] | None) -> bool:
+        named = (fields or {}).get("depth")
+        if named is not None and named not in grid.at_node:
+            raise ValueError(f"the grid has no field {named!r} at its nodes to be its depth")
+        return (named or "surface_water__depth") in grid.at_node
 
     def finish(self) -> Movie:
         """Completes the file. ``with fumon.film(...) as film`` does so at its end."""

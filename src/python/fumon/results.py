@@ -42,6 +42,7 @@ class Results(Sequence[Record]):
     def __init__(self, core: _core.Results) -> None:
         self._core = core
         self._dates = core.dates
+        self._count = len(core.times)
 
     @overload
     def __getitem__(self, number: int) -> Record: ...
@@ -57,7 +58,7 @@ class Results(Sequence[Record]):
         return Record(self._core, index, self._dates[index] if self._dates else None)
 
     def __len__(self) -> int:
-        return len(self._core.times)
+        return self._count
 
     def __iter__(self) -> Iterator[Record]:
         return (self[number] for number in range(len(self)))

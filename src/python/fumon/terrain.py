@@ -151,12 +151,39 @@ def cells_of_coordinates(array: Any) -> tuple[tuple[float, float] | None, Place 
     array = array.squeeze([dim for dim in array.dims if dim not in (north, east)])
     if east in array.coords and north in array.coords:
         return _size_of_coordinates(array.coords[east], array.coords[north]), _place_of(array)
-    planes = [array.coords[name].transpose(north, east).values for name in ("x", "y")
-              if name in array.coords and set(array.coords[name].dims) == {north, east}]
-    if len(planes) != 2 or min(planes[0].shape) < 2:
+    planes = _planes_of_coordinates(array, north, east)
+    if planes is None:
         return None, None
     dx, dy = (float(np.hypot(*(np.diff(plane, axis=axis).mean() for plane in planes))) for axis in (1, 0))
     return (dx, dy) if dx > 0 and dy > 0 else None, None
+
+
+def _planes_of_coordinates(array: Any, north: str, east: str) -> list[Numbers] | None:
+    """x and y over both dimensions."""
+    planes = [array.coords[name].transpose(north, east).values for name in ("x", "y")
+              if name in array.coords and set(array.coords[name].dims) == {north, east}]
+    return planes if len(planes) == 2 and min(planes[0].shape) > 1 else None
+
+
+def sides_of_coordinates(array: Any) -> tuple[bool, bool, float]:
+    """Whether the columns and rows of an array (…, y, x) run against its east and north, and by how much its columns are then turned
+    against the east, radians: 0 but where x and y are over both dimensions."""
+    north, east = ordered_dims(array)
+    if east in array.coords and north in array.coords:
+        planes = None
+    else:
+        planes = _planes_of_coordinates(array, north, east)
+    if planes is None:
+        falls = [dim in array.coords and array.sizes[dim] > 1 and array.coords[dim].values[-1] < array.coords[dim].values[0]
+                 for dim in (east, north)]
+        return bool(falls[0]), bool(falls[1]), 0.0
+    x, y = planes
+    along, across = ((float(x[at] - x[0, 0]), float(y[at] - y[0, 0])) for at in ((0, -1), (-1, 0)))
+    columns_fall = along[0] < 0
+    if columns_fall:
+        along = -along[0], -along[1]
+    turn = float(np.arctan2(along[1], along[0]))
+    return columns_fall, along[0] * across[1] - along[1] * across[0] < 0, turn if abs(turn) > 1e-3 else 0.0
 
 
 def _crs_of(array: Any) -> str:

@@ -22,7 +22,7 @@ from .terrain import CellSize, Origin, held_bed
 Viewed = Union[Scene, PathLike, Heights]
 
 _page = """<div id="{name}">
-<div><img alt="{alt}" src="data:image/{kind};base64,{picture}" style="max-width:100%">
+<div>{picture}
 <p>Turn it at <a href="{url}" target="_blank" rel="noopener">{url}</a>. If the notebook runs on another machine, first, on your own:
 <code>{forward}</code></p></div>
 <iframe src="{url}" title="{alt}" style="position:absolute;width:1px;height:1px;border:0;opacity:0"></iframe>
@@ -77,9 +77,11 @@ class View:
         if self.closed:
             return html.escape(repr(self))
         picture = self._core.picture(640)
+        kind = "png" if picture[1:4] == b"PNG" else "jpeg"
+        shown = (f'<img alt="{html.escape(self._name)}" src="data:image/{kind};base64,{base64.b64encode(picture).decode()}" '
+                 'style="max-width:100%">') if picture else "Nothing is computed yet."
         return _page.format(name=f"fumon-view-{secrets.token_hex(8)}", alt=html.escape(self._name), url=html.escape(self.url), height=self._height,
-                            kind="png" if picture[1:4] == b"PNG" else "jpeg", picture=base64.b64encode(picture).decode(),
-                            forward=html.escape(self.forward))
+                            picture=shown, forward=html.escape(self.forward))
 
     def __repr__(self) -> str:
         return f"<fumon.View {self._name}: {'closed' if self.closed else self.url}>"

@@ -128,7 +128,7 @@ void list_surroundings_keys(LookSettings& look, KeyTable& table) {
         "look.contrast", look.contrast,
         {{"auto",
           "over endless ground 1.35, up to 1.8 with half a stop less light under a low sun, "
-          "but not of red sand; 1.25 over land with look.cover = \"auto\"; else 1"}},
+          "but not of red sand, and 1.15 with look.cover = \"auto\"; else 1"}},
         {.range = {0.2, 4},
          .help = "contrast of light before the tone curve: a power around middle grey"});
 }

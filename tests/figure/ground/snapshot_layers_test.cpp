@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/error.h"
 #include "figure/ground/stream_lines.h"
 
 namespace fumon {
@@ -91,6 +92,17 @@ TEST(SnapshotLayers, ContoursLieAtTheirHeightsAndEveryFifthIsThickAndLabelled) {
         EXPECT_EQ(line.label, n == 4 ? "50" : "");
         EXPECT_EQ(line.width, n == 4 ? 1.5 : 1.0);
     }
+}
+
+TEST(SnapshotLayers, ABedThatGrowsHasItsContoursThinned) {
+    Snapshot snapshot = trough(8, 20);
+    LayerSettings settings = asked_for(LayerData::contours);
+    settings.interval = 0.001;
+    EXPECT_THROW(over(settings, snapshot), InputError);
+    PlacedLayers placed;
+    placed.layers.resize(1);
+    place_ground_layers(std::span(&settings, 1), snapshot, placed, ManyContours::thinned);
+    EXPECT_FALSE(placed.layers[0].features.empty());
 }
 
 TEST(SnapshotLayers, FollowTheBedAndLeaveOtherLayersAsTheyWerePlaced) {
