@@ -19,7 +19,6 @@
 #include "cli/remark.h"
 #include "cli/shared_options.h"
 #include "files/terrain/terrain_format.h"
-#include "film/beds/stored_beds.h"
 #include "film/beds/stored_still.h"
 #include "outputs/output_claims.h"
 #include "run/drawing.h"
@@ -82,21 +81,6 @@ void declare(CLI::App& command, ViewArguments& arguments) {
                  "with ssh brings\nthe same address to your own machine.");
 }
 
-/// Of the results of another model, where the argument names some.
-std::unique_ptr<ViewSubject> foreign_subject(const ViewArguments& arguments) {
-    const std::string ending = small_ending(arguments.input);
-    const bool several = arguments.input.find_first_of("*?") != std::string::npos;
-    if (!several && ending != ".nc" && ending != ".nc4") return nullptr;
-    const WorkOptions& work = arguments.options.work;
-    try {
-        StoredBeds beds = StoredBeds::of_files(arguments.input, work.threads, work.settings);
-        if (several || beds.beds().size() > 1) return stored_subject(std::move(beds), {});
-    } catch (const InputError&) {
-        if (several) throw;
-    }
-    return nullptr;  // a grid of heights
-}
-
 /// Of what has its results; nullptr for a scene and for terrain.
 std::unique_ptr<ViewSubject> stored_results(const ViewArguments& arguments) {
     const WorkOptions& work = arguments.options.work;
@@ -113,7 +97,7 @@ std::unique_ptr<ViewSubject> stored_results(const ViewArguments& arguments) {
             "folder that `fumon run -o` was given, a scene or terrain",
             arguments.input));
     }
-    return foreign_subject(arguments);
+    return foreign_subject(arguments.input, work.threads, work.settings);
 }
 
 std::unique_ptr<Pages> scene_pages(const ViewArguments& arguments, const ViewOptions& options) {

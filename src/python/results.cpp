@@ -126,6 +126,7 @@ py::dict film_of(Results& results, const std::string& file, const std::string& s
         made = results.film(file, script, style, seconds, settings);
     }
     if (made.signal != 0) {
+        clear_interrupt();
         PyErr_SetNone(PyExc_KeyboardInterrupt);
         throw py::error_already_set();
     }

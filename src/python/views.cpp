@@ -119,7 +119,8 @@ std::unique_ptr<ViewSubject> subject_of(std::string name, Scene scene, int threa
                             std::move(files));
 }
 
-/// Of the folder of a run, a scene's file or name, or terrain, as `fumon view` takes them.
+/// Of the folder of a run, results of another model, a scene's file or name, or terrain, as `fumon
+/// view` takes them.
 std::unique_ptr<ViewSubject> subject_of_argument(const std::string& argument,
                                                  const std::vector<std::string>& settings,
                                                  int threads) {
@@ -127,6 +128,7 @@ std::unique_ptr<ViewSubject> subject_of_argument(const std::string& argument,
         if (is_unfinished_run(*run)) return followed_subject(*run, threads, settings);
         return stored_subject(*run, threads, settings);
     }
+    if (auto foreign = foreign_subject(argument, threads, settings)) return foreign;
     if (is_scene_argument(argument))
         return subject_of(argument, read_scene(scene_argument(argument), settings), threads);
     return subject_of(argument, terrain_scene(terrain_argument(argument), "", settings), threads);

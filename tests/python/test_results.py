@@ -1,5 +1,7 @@
 """Stored records of runs and of other models, opened, drawn and filmed; Datasets; films of running models."""
 
+import signal
+
 import numpy as np
 import pytest
 
@@ -130,6 +132,9 @@ def test_movies_and_films_show_water(tmp_path):
     script.write_text('[film]\nwidth = 160\nheight = 120\nrate = 5\nsupersampling = 1\n'
                       '[[shot]]\nseconds = 1\nfrom = "start"\nto = "end"\nmove = "orbit"\nturn = 20\n')
     film = data.fumon.film(tmp_path / "b.mp4", script, film_settings={"film_rate": 4})
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    with pytest.raises(KeyboardInterrupt):  # Python's own again, once a film is made
+        signal.raise_signal(signal.SIGINT)
     assert film.frames == 4 and film.file.stat().st_size > 1000
     data.fumon.still(tmp_path / "c.png", record=1, **SMALL)
     assert (tmp_path / "c.png").exists()

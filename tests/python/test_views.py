@@ -43,6 +43,25 @@ def test_a_scene_is_shown_until_it_is_closed():
     assert _threads() == before
 
 
+def test_a_run_is_shown_by_its_scene():
+    run = fumon.Scene("terada-barchans", **SMALL).run(every=10)
+    next(run)
+    with fumon.view(run) as window:
+        assert '"nx":32' in _get(window.url + "subject")[1].replace(" ", "")
+    run.scene["grid.nx"] = 8
+    assert run.scene["grid.nx"] == 32
+
+
+def test_results_of_another_model_are_shown(tmp_path):
+    xr = pytest.importorskip("xarray")
+    level = np.ones((3, 4, 5)) * np.array([2.0, 3.0, 4.0])[:, None, None]
+    beds = xr.Dataset({"zb": (("y", "x"), np.zeros((4, 5)), {"units": "m"}), "zs": (("time", "y", "x"), level, {"units": "m"})},
+                      {"x": 10.0 * np.arange(5), "y": 10.0 * np.arange(4), "time": ("time", [0, 60, 120], {"units": "s"})})
+    beds.to_netcdf(tmp_path / "flood.nc")
+    with fumon.view(tmp_path / "flood.nc", image_width=64, image_height=48) as window:
+        assert _get(window.url + "subject")[1].count('"step"') >= 3
+
+
 def test_nothing_answers_without_the_token():
     with fumon.view(np.zeros((8, 9)), cell_size=2) as window:
         with pytest.raises(urllib.error.HTTPError, match="403"):

@@ -26,7 +26,7 @@ constexpr std::string_view picture_ending = ".picture";
 constexpr std::int64_t usual_cache_bytes = 4'000'000'000;
 constexpr std::uintmax_t most_left_free = 1'000'000'000;  // bytes of the disk, for what films write
 constexpr std::uintmax_t part_left_free = 20;             // of it, at most
-constexpr std::int64_t pictures_between_looks = 64;       // for what other programs add
+constexpr std::int64_t pictures_between_clearings = 64;   // for what other programs add
 
 struct KeptFile {
     fs::file_time_type used;
@@ -165,7 +165,7 @@ bool PictureCache::make_room(std::int64_t bytes) {
     const std::uintmax_t left_free = std::min(most_left_free, space.capacity / part_left_free);
     if (!fault && space.available < left_free + static_cast<std::uintmax_t>(bytes)) return false;
     if (--until_next_look_ > 0 && known_bytes_ + bytes <= most_bytes_) return true;
-    until_next_look_ = pictures_between_looks;
+    until_next_look_ = pictures_between_clearings;
     std::vector<KeptFile> files = kept_files(folder_);
     known_bytes_ = 0;
     for (const KeptFile& file : files) known_bytes_ += file.bytes;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from types import TracebackType
 from typing import Any, Callable, Mapping
 
@@ -122,7 +123,7 @@ def _turn_to_sides(readers: dict[str, Callable[[int], Numbers]], turn: float) ->
     if "u" not in readers or "v" not in readers:
         return
     east, north = readers["u"], readers["v"]
-    cosine, sine = np.cos(turn), np.sin(turn)
+    cosine, sine = math.cos(turn), math.sin(turn)
     readers["u"] = lambda record: cosine * east(record) + sine * north(record)
     readers["v"] = lambda record: cosine * north(record) - sine * east(record)
 

@@ -170,6 +170,7 @@ class Run:
         if threads < 0:
             raise ValueError(f"threads is a number, or 0 for one per processor, not {threads}")
         last = scene["run.steps"]
+        self._scene = scene.copy()
         self._steps = _due(scene._value, last, every, at)
         self._due: int | None = None  # what is being stepped to; an interrupt leaves it
         self._live = _core.LiveRun(scene._value, threads, measures)
@@ -180,6 +181,11 @@ class Run:
 
     def __iter__(self) -> Run:
         return self
+
+    @property
+    def scene(self) -> Scene:
+        """A copy of the scene that runs."""
+        return self._scene.copy()
 
     def __reduce_ex__(self, protocol: SupportsIndex) -> NoReturn:
         raise TypeError("a Run belongs to its process; copy, pickle or send its Scene and run that")

@@ -15,11 +15,11 @@ from typing import Union
 from . import _core
 from .arrays import Heights
 from .images import PathLike
-from .scene import Scene
+from .scene import Run, Scene
 from .settings import Setting, settings_of
 from .terrain import CellSize, Origin, held_bed
 
-Viewed = Union[Scene, PathLike, Heights]
+Viewed = Union[Scene, Run, PathLike, Heights]
 
 _page = """<div id="{name}">
 <div>{picture}
@@ -97,8 +97,8 @@ def view(what: Viewed, cell_size: CellSize = None, *, origin: Origin = "lower", 
          height: int = 640, threads: int = 0, **look: Setting) -> View:
     """Shows a scene, a run or heights in a browser, to be turned, lit and played: the page of ``fumon view``.
 
-    what: a Scene, computed as far as one looks; the name of a scene, its file, the folder of a run, finished or not, or a terrain
-        file; or heights, as render() takes them with ``cell_size``, ``origin`` and ``field``.
+    what: a Scene, or that of a Run, computed as far as one looks; the name of a scene, its file, the folder of a run,
+        finished or not, NetCDF of another model, or a terrain file; or heights, as render() takes them with ``cell_size``, ``origin`` and ``field``.
     port: to listen on, of this machine alone; 0: one that is free. height: of the page in a notebook, pixels.
     threads: 0: one per processor. look: keys of the scene, as for render().
 
@@ -110,6 +110,8 @@ def view(what: Viewed, cell_size: CellSize = None, *, origin: Origin = "lower", 
     if not 0 <= port <= 65535:
         raise ValueError(f"port is 0 to 65535, not {port}")
     settings = settings_of(look)
+    if isinstance(what, Run):
+        what = what.scene
     if isinstance(what, (str, os.PathLike)):
         name = os.fspath(what)
         core = _core.LiveView.of_argument(name, [f"{key}={value}" for key, value in settings], port, threads)

@@ -27,15 +27,15 @@ void note_signal(int signal) {
 
 }  // namespace
 
-InterruptGuard::InterruptGuard() {
-    std::signal(SIGINT, note_signal);
-    std::signal(SIGTERM, note_signal);
+InterruptGuard::InterruptGuard()
+    : before_interrupt_(std::signal(SIGINT, note_signal)),
+      before_termination_(std::signal(SIGTERM, note_signal)) {
     std::signal(SIGPIPE, SIG_IGN);
 }
 
 InterruptGuard::~InterruptGuard() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    std::signal(SIGINT, before_interrupt_);
+    std::signal(SIGTERM, before_termination_);
 }
 
 ExitOnSignal::ExitOnSignal() {

@@ -4,13 +4,18 @@ namespace fumon {
 
 /// While one exists, SIGINT and SIGTERM only ask the program to stop (a second one ends it at once;
 /// base/cancellation.h says how long work may go on), and SIGPIPE is ignored, so that a closed pipe
-/// is an ordinary write error.
+/// is an ordinary write error. What was done at SIGINT and SIGTERM before is done again after it.
 class InterruptGuard {
   public:
     InterruptGuard();
     ~InterruptGuard();
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  private:
+    using Handler = void (*)(int);
+    Handler before_interrupt_;
+    Handler before_termination_;
 };
 
 /// While one exists, a first signal already ends the program at once, with the status of a stopped

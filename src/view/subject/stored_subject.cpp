@@ -10,6 +10,7 @@
 #include "files/csv_table.h"
 #include "files/input_file.h"
 #include "film/beds/stored_beds.h"
+#include "outputs/output_claims.h"
 
 namespace fumon {
 
@@ -86,6 +87,20 @@ std::unique_ptr<ViewSubject> stored_subject(const fs::path& folder, int threads,
 
 std::unique_ptr<ViewSubject> stored_subject(StoredBeds beds, fs::path measurements) {
     return std::make_unique<StoredSubject>(std::move(beds), std::move(measurements));
+}
+
+std::unique_ptr<ViewSubject> foreign_subject(const std::string& argument, int threads,
+                                             const std::vector<std::string>& settings) {
+    const std::string ending = small_ending(argument);
+    const bool several = argument.find_first_of("*?") != std::string::npos;
+    if (!several && ending != ".nc" && ending != ".nc4") return nullptr;
+    try {
+        StoredBeds beds = StoredBeds::of_files(argument, threads, settings);
+        if (several || beds.beds().size() > 1) return stored_subject(std::move(beds), {});
+    } catch (const InputError&) {
+        if (several) throw;
+    }
+    return nullptr;
 }
 
 }  // namespace fumon

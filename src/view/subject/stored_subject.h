@@ -21,4 +21,10 @@ std::unique_ptr<ViewSubject> stored_subject(StoredBeds beds, std::filesystem::pa
 /// writing it. None where there is no such file.
 std::vector<ViewColumn> measurements_of(const std::filesystem::path& file);
 
+/// The results of another model (StoredBeds::of_files); nullptr where `argument` is neither a
+/// pattern nor a NetCDF file of several records: a grid of heights then, or a scene. Throws
+/// InputError for a pattern that cannot be read.
+std::unique_ptr<ViewSubject> foreign_subject(const std::string& argument, int threads,
+                                             const std::vector<std::string>& settings);
+
 }  // namespace fumon
