@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "files/input_file.h"
+#include "outputs/output_claims.h"
 
 namespace fumon {
 

@@ -15,6 +15,7 @@
 #include "film/camera/moves.h"
 #include "film/film_read.h"
 #include "film/rule/run_look.h"
+#include "film/rule/written_shot.h"
 
 namespace fumon {
 
@@ -41,57 +42,6 @@ constexpr double enough_ground = 2.0 / 3.0;  // of a picture over a table
 const StyleFacts& facts_of(FilmStyle style) {
     return *std::ranges::find(styles, style, &StyleFacts::style);
 }
-
-/// A number as a film file has it: no more digits than are seen.
-std::string written(double value, int digits = 0) {
-    std::string text = fmt::format("{:.{}f}", value, digits);
-    if (digits > 0) {
-        while (text.ends_with('0')) text.pop_back();
-        if (text.ends_with('.')) text.pop_back();
-    }
-    return text == "-0" ? "0" : text;
-}
-
-std::string quoted_text(const std::string& text) {
-    std::string quoted = "\"";
-    for (const char letter : text) {
-        if (letter == '"' || letter == '\\') quoted += '\\';
-        if (static_cast<unsigned char>(letter) >= 0x20) quoted += letter;
-    }
-    return quoted + '"';
-}
-
-/// A text without placeholders, as films have it.
-std::string without_placeholders(const std::string& text) {
-    std::string plain;
-    for (const char letter : text) plain.append(letter == '{' || letter == '}' ? 2 : 1, letter);
-    return plain;
-}
-
-/// A [[shot]] as it is written: keys in turn, each with its value.
-struct WrittenShot {
-    std::string comment{};
-    std::vector<std::pair<std::string, std::string>> keys{};
-
-    void set(const std::string& key, const std::string& value) {
-        const auto found =
-            std::ranges::find_if(keys, [&](const auto& one) { return one.first == key; });
-        if (found == keys.end()) {
-            keys.emplace_back(key, value);
-        } else {
-            found->second = value;
-        }
-    }
-    void set(const std::string& key, double value, int digits = 0) {
-        set(key, written(value, digits));
-    }
-
-    [[nodiscard]] std::string text() const {
-        std::string lines = fmt::format("[[shot]]{}{}\n", comment.empty() ? "" : "  # ", comment);
-        for (const auto& [key, value] : keys) lines += fmt::format("{} = {}\n", key, value);
-        return lines;
-    }
-};
 
 class RuledFilm {
   public:
@@ -152,7 +102,7 @@ class RuledFilm {
             "#   fumon film {} FILE.toml -o film.mp4\n"
             "#\n"
             "# `fumon describe shot` lists what a shot takes.\n",
-            written(seconds_, 1), run_, run_);
+            written_number(seconds_, 1), run_, run_);
         return text + settings() + "\n";
     }
 
@@ -387,7 +337,7 @@ class RuledFilm {
             "[[card]]                  # over the first shot\nplace = "
             "\"start\"\ntitle = {}\nseconds = {}\n",
             quoted_text(without_placeholders(look_.title)),
-            written(std::min(3.5, 0.22 * seconds_), 2));
+            written_number(std::min(3.5, 0.22 * seconds_), 2));
         text += "lines = []\n\n";
         return text;
     }
