@@ -241,5 +241,10 @@ function giveUp(why) {
   part("message").textContent = `This browser cannot turn the bed (${why}); the picture shows its last state.`;
 }
 
-canvas.addEventListener("webglcontextlost", () => giveUp("its graphics were lost; load the page again"));
+// A browser mostly gives back soon what it took away; stage.js then draws once more.
+let losing = 0;
+canvas.addEventListener("webglcontextlost", () => {
+  losing = setTimeout(() => giveUp("its graphics were lost; load the page again"), 5000);
+});
+canvas.addEventListener("webglcontextrestored", () => clearTimeout(losing));
 start().catch((fault) => giveUp(fault.message));

@@ -148,7 +148,7 @@ async function useSweep() {
 }
 
 async function useWatchSweep() {
-  await until("document.getElementById('job').textContent.includes('complete; ')", "the page does not hear that the sweep is complete");
+  await until("document.readyState === 'complete' && document.getElementById('job')?.textContent.includes('complete; ')", "the page does not hear that the sweep is complete");
   await until("document.querySelectorAll('#grids a').length === 3", "the grid stays as it was before the end");
   expect(await evaluate("document.getElementById('state').textContent") === "3 done", "not all runs are told as done");
 }

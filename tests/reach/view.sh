@@ -67,7 +67,7 @@ use sweep
 end
 
 serve sweep terada-barchans -o watched-sweep -q --view --over model.creep_rate=0.1,0.2,0.3 --set grid.nx=128 --set grid.ny=128 \
-    --set run.steps=600 --set output.fields_every=300
+    --set run.steps=30000 --set output.fields_every=15000
 use watch-sweep
 wait "$server"
 server=""
