@@ -27,7 +27,8 @@ double area_of(const Snapshot& snapshot) {
 }
 
 BedPlace place_of(std::int32_t cell, int nx, int ny) {
-    return {(cell % nx + 0.5) / nx, (cell / nx + 0.5) / ny};
+    const std::int32_t row = cell / nx;
+    return {(cell % nx + 0.5) / nx, (row + 0.5) / ny};
 }
 
 /// A line whose points are means of three; its ends stay.
