@@ -93,9 +93,10 @@ TEST_F(BedFormat, ABedIsExportedAsAGridOfItsFormatOrToStandardOutput) {
     const Ended told = fumon({"export", "dem.asc", "-o", "-"}, folder_.path());
     EXPECT_EQ(told.output, read_text(folder_ / "bed.asc"));
     EXPECT_EQ(told.errors, "");
-    EXPECT_EQ(fumon({"export", "dem.asc", "-o", "bed.txt"}, folder_.path()).errors,
-              "bed.txt: the output's name must end in .vts, .pvd, .glb, .stl, .ply, .obj, .html, .nc, "
-              ".cog.tif, .tif, .asc; or give the format with --as\n");
+    EXPECT_EQ(
+        fumon({"export", "dem.asc", "-o", "bed.txt"}, folder_.path()).errors,
+        "bed.txt: the output's name must end in .vts, .pvd, .glb, .stl, .ply, .obj, .html, .nc, "
+        ".cog.tif, .tif, .asc; or give the format with --as\n");
     EXPECT_EQ(
         fumon({"export", "dem.asc", "-o", "bed.txt", "--as", "esri-ascii"}, folder_.path()).status,
         0);
