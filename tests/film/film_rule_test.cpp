@@ -152,6 +152,7 @@ TEST_F(RuledLook, AFloodIsFollowedAtItsFrontAndASlopeStaysOnItsTable) {
     EXPECT_NE(flood.find("follow = true"), std::string::npos) << flood;
     EXPECT_NE(flood.find("pace = \"change\""), std::string::npos) << flood;
     EXPECT_EQ(flood.find("endless"), std::string::npos) << flood;
+    EXPECT_EQ(flood.find("\"fill\""), std::string::npos) << "the basin is cut off\n" << flood;
     const std::string slope = film_of(
         "[model]\nname = \"gully\"\nslope = 0.1\nrain = 60\ninitial_water = \"dry\"\n[bed]\nhigh = "
         "0.1\n[grid]\nnx = 32\nny = 32\ncell_size = [1.0]\n[run]\nsteps = 8\n[look]\nexaggeration "

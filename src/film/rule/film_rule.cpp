@@ -145,7 +145,7 @@ class RuledFilm {
     /// pile so many of its breadths away, are told apart.
     void stand(WrittenShot& shot, double waves, double breadths) const {
         if (!look_.endless || look_.land) {
-            const bool whole = look_.section || look_.land;
+            const bool whole = look_.section || look_.land || look_.flood;
             shot.set("distance", whole ? "\"fit\"" : "\"fill\"");
             return;
         }
@@ -224,12 +224,7 @@ class RuledFilm {
             around(whole, azimuth - 12.0, high, 16.0);
         }
         stand(whole, 16.0, 2.4);
-        if (look_.flood) {
-            whole.set("distance", "\"fit\"");
-            shots_.push_back(whole);
-        } else {
-            shots_.push_back(composed(whole, high));
-        }
+        add_whole(whole, high);
 
         WrittenShot growth = begun(!moves               ? "and from its side"
                                    : pace() == "change" ? "it grows: as much change in each frame"
@@ -262,7 +257,12 @@ class RuledFilm {
                look_.section ? 40.0 : 75.0);
         stand(last, 13.0, 1.8);
         last.set("hold", std::min(0.5, 0.03 * seconds_), 2);
-        shots_.push_back(composed(last, high - 2.0));
+        add_whole(last, high - 2.0);
+    }
+
+    /// A flood's basin stays whole, even where it is long and leaves much of the table.
+    void add_whole(const WrittenShot& shot, double elevation) {
+        shots_.push_back(look_.flood ? shot : composed(shot, elevation));
     }
 
     /// A flood's first third once more, low beside its front.
@@ -328,7 +328,7 @@ class RuledFilm {
         round.set("turn", 360.0 * (frames - 1.0) / frames, 3);
         round.set("speed", "\"constant\"");
         stand(round, 13.0, 1.8);
-        shots_.push_back(composed(round, elevation));
+        add_whole(round, elevation);
     }
 
     [[nodiscard]] std::string titles() const {
