@@ -4,7 +4,8 @@ uniform float blue_green;  // 1: tinted as a clear sea, else dark as streams and
 
 vec3 water_body_colour() {
     vec3 clear = blue_green > 0.5 ? vec3(0.012, 0.055, 0.066) : vec3(0.014, 0.030, 0.028) + studio * vec3(0.018, 0.014, 0.018);
-    return mix(clear, vec3(0.250, 0.172, 0.102), turbidity);
+    vec3 muddy = mix(vec3(0.250, 0.172, 0.102), vec3(0.232, 0.172, 0.114), studio);  // less golden, as the ground there
+    return mix(clear, muddy, turbidity);
 }
 
 // What is left of light after a way through the water (Beer–Lambert), in units of `clarity`: clear
