@@ -172,7 +172,7 @@ glm::vec2 bare_board(const Snapshot& snapshot, const LookSettings& look,
                      std::pair<double, double> range) {
     constexpr double first_grains = 0.2;  // of a smoothed bed, in grains
     constexpr double closed = 1.0;
-    if (!draws_poured_sand(snapshot, look)) return {};
+    if (!draws_poured_sand(snapshot, look) || look.ground == Ground::endless) return {};
     const auto place = [&](double height) {
         return static_cast<float>((height - range.first) / (range.second - range.first));
     };

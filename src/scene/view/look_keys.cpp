@@ -160,8 +160,8 @@ void list_ground_keys(LookSettings& look, KeyTable& table) {
     table.choice(
         "look.pile", look.pile,
         {{PileSurface::smooth, "smooth",
-          "dry sand poured on a board: steps and pits of single cells are smoothed, and cells "
-          "without grains are plaster; only in scenic views in natural colours, never in what is "
+          "dry sand: steps and pits of single cells are smoothed, and on a table cells without "
+          "grains are a board; only in scenic views in natural colours, never in what is "
           "computed or measured"},
          {PileSurface::cells, "cells", "the cells as they are"}},
         {.help = "surface of piles of sand (model sandpile)", .earlier = {"0.3.0", "\"cells\""}});
