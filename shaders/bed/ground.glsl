@@ -28,6 +28,16 @@ vec3 mountain(float broad, BedPoint point, float height) {
 uniform float covered;  // 1: grass, rock, soil and snow by rule
 uniform sampler2D cover_map;  // how green grass is, how much of it, of rock and of snow there is
 
+uniform vec2 bare_board;  // palette places from which grains of a pile begin to hide its board, and hide it; 0: none is seen
+
+float sand_on_board(float value) { return bare_board.y > 0.0 ? smoothstep(bare_board.x, bare_board.y, value) : 1.0; }
+
+// Plaster, lighter than the sand.
+vec3 board() {
+    vec3 ground = mix(sand_trough, sand_crest, 0.5);
+    return mix(vec3(luminance(ground)), ground, 0.14) * 1.35;
+}
+
 // Edges between them are as ragged as the noise.
 vec3 with_cover(vec3 own, vec2 position, vec3 noise) {
     vec4 cover = texture(cover_map, position);
@@ -52,6 +62,7 @@ vec3 ground_albedo(vec2 position, BedPoint point, float value) {
     vec3 noise = 2.0 * texture(noise_map, noise_position(position)).rgb - 1.0;
     vec3 own = mix(sand(1.5 * noise.r, noise.g, point, value), mountain(1.5 * noise.b, point, value), rock);
     if (covered > 0.5) own = with_cover(own, position, noise);
+    own = mix(board(), own, sand_on_board(value));
     if (natural > 0.5) return marked(own, position);
     vec3 coloured = linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb);
     return marked(mix(coloured, own, texture(uncoloured_map, position).r), position);

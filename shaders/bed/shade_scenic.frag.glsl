@@ -19,5 +19,5 @@ void main() {
     Laid laid = drape_at(position, vec2(0.0));
     vec3 light = ground_light(with_drape(ground_albedo(position, point), laid), point, to_eye, 1.0);
     vec3 displayed = display_from_linear(tone_curve(with_haze(light, world_point, -to_eye)));
-    colour = vec4(as_it_is(displayed, laid, 1.0), 1.0 - laid.share);
+    colour = vec4(as_it_is(displayed, laid, 1.0), (1.0 - laid.share) * sand_on_board(texture(value_map, position).r));
 }

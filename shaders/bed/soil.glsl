@@ -54,7 +54,7 @@ Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
         pebbles = i == 0 ? grains.x : pebbles;
         size *= 0.36;
     }
-    float rills = smoothstep(0.18, 0.55, steep) * detail_visibility(0.9 * cell, width);
+    float rills = mix(1.0, 0.5, studio) * smoothstep(0.18, 0.55, steep) * detail_visibility(0.9 * cell, width);
     {
         vec2 downslope = down / max(steep, 1e-6);
         vec2 across = vec2(-downslope.y, downslope.x);
@@ -68,7 +68,8 @@ Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
     }
     // Water that falls over a wall's edge flutes it: grooves straight down, between ribs.
     soil.groove = 0.0;
-    float flutes = smoothstep(0.35, 0.9, steep) * detail_visibility(1.2 * cell, width);
+    float opened = mix(1.0, 0.35, studio);  // even light fills what is cut into a wall
+    float flutes = opened * smoothstep(0.35, 0.9, steep) * detail_visibility(1.2 * cell, width);
     {
         vec2 downslope = down / max(steep, 1e-6);
         vec2 across = vec2(-downslope.y, downslope.x);
@@ -81,7 +82,7 @@ Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
         soil.groove = flutes * (1.0 - smoothstep(0.05, 0.32, abs(sum.x + 0.1)));
         soil.height += flutes * 0.5 * sum.x;
     }
-    soil.cut = smoothstep(0.45, 1.0, steep + 0.10 * lumps.x);
+    soil.cut = opened * smoothstep(0.45, 1.0, steep + 0.10 * lumps.x);
     soil.layers = 0.0;
     soil.stone = 0.0;
     if (strata < 0.5) return soil;

@@ -50,7 +50,7 @@ WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, ve
     float laid = 2.0 * shown.g - 1.0;
     Soil soil = soil_at(world_point, point, width, clamp(-laid, 0.0, 1.0));
     water.film = under_water > dry_water ? closed_film(water, soil) : 0.0;
-    float damp = visible * clamp(shown.r + 0.8 * shown.r * (1.0 - shown.r) * -soil.height, 0.0, 1.0);
+    float damp = mix(1.0, 0.85, studio) * visible * clamp(shown.r + 0.8 * shown.r * (1.0 - shown.r) * -soil.height, 0.0, 1.0);
     if (natural > 0.5) {
         albedo = earthen(albedo, soil, damp);
         albedo = worked(albedo, visible * laid);

@@ -83,7 +83,8 @@ vec3 water_cut(vec3 to_eye, float sun, float below_surface, float above_bed) {
     // A ray that rises is mirrored by the surface.
     float way = (above_bed + (ray.z > 0.0 ? 2.0 * below_surface : 0.0)) / max(abs(ray.z), least_fall);
     vec3 left = transmitted(way / clarity);
-    vec3 body = water_body_colour() * (1.4 * down * transmitted(1.1 * below_surface / clarity) + 0.3 * sun_light * sun);
+    vec3 lit = studio * (1.0 - turbidity) * vec3(0.062, 0.074, 0.084);  // from all around, as through a tank of glass
+    vec3 body = (water_body_colour() + lit) * (1.4 * down * transmitted(1.1 * below_surface / clarity) + 0.3 * sun_light * sun);
     vec3 light = mix(body, bed_below(cut_point.xy + way * ray.xy, down, standing, 1.0 / max(abs(ray.z), least_fall)), left);
     float facing = max(dot(pane, to_eye), 0.0);
     float grazing = (1.0 - facing) * (1.0 - facing);

@@ -1,9 +1,9 @@
-// What water mirrors in a studio: the wall, a bright screen around the block, at the height of most eyes, and the lamp.
+// What water mirrors in a studio: the wall, bright windows all around, which end towards the ceiling, and the lamp.
 vec3 studio_around(vec3 view) {
     vec3 wall = mix(haze_colour, zenith_colour, smoothstep(0.0, 0.9, view.z));
-    float card = smoothstep(-0.1, 0.7, view.z) * (1.0 - 0.5 * smoothstep(0.7, 1.0, view.z));
+    float windows = 1.0 - smoothstep(0.20, 0.98, view.z);
     float lamp = smoothstep(0.92, 0.975, dot(view, to_sun));
-    return wall + 14.0 * sky_light * card * (1.0 + 0.4 * view.x - 0.3 * view.y) + 8.0 * sun_light * lamp;
+    return wall + 2.1 * sky_light * vec3(0.72, 0.97, 1.28) * windows * (1.0 + 0.4 * view.x - 0.3 * view.y) + 8.0 * sun_light * lamp;
 }
 
 // The clear sky in a direction of view (unit vector), without the sun's disc and its glare. Needs common/light.glsl before it.

@@ -9,7 +9,7 @@
 #include "render/light/view_light.h"
 #include "render/view/ground_choice.h"
 #include "support/drawn_picture.h"
-#include "support/view_beds.h"
+#include "support/water_beds.h"
 
 namespace fumon {
 namespace {
@@ -117,6 +117,62 @@ TEST(Studio, IsTheSameOnAnyNumberOfThreads) {
         const Image one = picture(studio_view(), bed, 1);
         EXPECT_EQ(one.rgb, picture(studio_view(), bed, 2).rgb);
     }
+}
+
+TEST(Studio, PilesLieOnABoard) {
+    View view = studio_view(160, 120);
+    view.camera.elevation = 60.0;
+    view.look.block_sides = false;
+    view.look.grain = 0.0;
+    view.look.background = Background::transparent;
+    Snapshot pile;
+    pile.landform = Landform::pile;
+    pile.bed = Grid(48, 40);
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 48; ++x)
+            pile.bed(x, y) = std::max(0.0, std::round(12.0 - std::hypot(x - 24.0, y - 20.0)));
+    const auto neutral_share = [&](PileSurface surface) {
+        view.look.pile = surface;
+        const Image image = picture(view, pile);
+        int ground = 0;
+        int neutral = 0;
+        for (std::size_t i = 0; i < image.alpha.size(); ++i) {
+            if (image.alpha[i] != 255) continue;
+            ++ground;
+            neutral += saturation(image.rgb.data() + 3 * i) < 0.15 ? 1 : 0;
+        }
+        return static_cast<double>(neutral) / ground;
+    };
+    const double board = 1.0 - 3.14 * 12.0 * 12.0 / (48.0 * 40.0);
+    EXPECT_NEAR(neutral_share(PileSurface::smooth), board, 0.06);
+    EXPECT_EQ(neutral_share(PileSurface::cells), 0.0);
+}
+
+TEST(Studio, WaterIsDarkFromAboveAndMirrorsWindowsSeenFlatly) {
+    const auto mean = [](double elevation) {
+        View view = studio_view(160, 120);
+        view.camera.elevation = elevation;
+        view.look.block_sides = false;
+        view.look.background = Background::transparent;
+        view.look.water_clarity = {"", 0.4};
+        const Image image = picture(view, under_water(flat_bed(40, 40), 4.0, 0.0));
+        std::array<double, 3> sum{};
+        double count = 0.0;
+        for (std::size_t i = 0; i < image.alpha.size(); ++i) {
+            if (image.alpha[i] != 255) continue;
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += image.rgb[3 * i + c];
+            ++count;
+        }
+        std::array<std::uint8_t, 3> colour{};
+        for (std::size_t c = 0; c < 3; ++c) colour[c] = static_cast<std::uint8_t>(sum[c] / count);
+        return colour;
+    };
+    const auto above = mean(70.0);
+    const auto flat = mean(14.0);
+    EXPECT_LE(lightness(above.data()), 35.0);
+    EXPECT_GE(lightness(flat.data()), lightness(above.data()) + 15.0);
+    EXPECT_LE(lightness(flat.data()), 85.0);  // nor white as plaster
+    EXPECT_GE(flat[2], flat[0]);
 }
 
 TEST(Studio, SidesArePlasterByThemselves) {

@@ -9,6 +9,7 @@
 #include "render/colour/palette.h"
 #include "render/frame/view_uniforms.h"
 #include "render/view/repeated_bed.h"
+#include "render/view/shown_snapshot.h"
 
 namespace fumon {
 
@@ -165,6 +166,19 @@ std::pair<double, double> natural_range(const Snapshot& snapshot, const Block& b
     return {block.reference + mean - half, block.reference + mean + half};
 }
 
+/// Palette places from which the grains of a pile begin to hide the board under it, and hide it;
+/// 0 where no board is seen.
+glm::vec2 bare_board(const Snapshot& snapshot, const LookSettings& look,
+                     std::pair<double, double> range) {
+    constexpr double first_grains = 0.2;  // of a smoothed bed, in grains
+    constexpr double closed = 1.0;
+    if (!draws_poured_sand(snapshot, look) || look.ground == Ground::endless) return {};
+    const auto place = [&](double height) {
+        return static_cast<float>((height - range.first) / (range.second - range.first));
+    };
+    return {place(first_grains), place(closed)};
+}
+
 /// Palette places up to which ground between dunes is bare floor, and from which it is sand alone:
 /// by the heights that a twentieth of the bed is below and above; and how far there is such ground
 /// at all, since a bed that is nearly flat is all alike.
@@ -246,6 +260,7 @@ Field<float> BedShading::ranged_values(const Snapshot& snapshot, const Snapshot&
     if (natural) {
         const auto [low, high] = natural_range(snapshot, block_);
         range_ = {low, high};
+        bare_board_ = bare_board(snapshot, view_.look, {low, high});
     } else {
         range_ = frame_colour_range(view_.look, snapshot, values, range_, keeps_range_);
     }
@@ -354,6 +369,7 @@ void BedShading::bind(const gl::Program& program, const glm::dvec2& texel) const
     program.set("natural", view_.look.colour_by == Colouring::natural ? 1.0F : 0.0F);
     program.set("rock", static_cast<float>(block_.rock));
     program.set("floor_values", floor_coordinates_);
+    program.set("bare_board", bare_board_);
     set_sand(program, view_.look);
     if (drape_) drape_->bind(program, texel, noise_origin_);
 }

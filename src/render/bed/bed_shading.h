@@ -104,6 +104,7 @@ class BedShading {
     bool keeps_range_ = false;
     glm::vec2 noise_origin_{0.0F};       ///< where the drawn bed begins
     glm::vec3 floor_coordinates_{0.0F};  ///< of palette places, of endless ground
+    glm::vec2 bare_board_{0.0F};         ///< see bare_board()
     gl::Program program_;
     gl::Texture2D palette_;
     gl::Texture2D lighting_;

@@ -174,12 +174,6 @@ Grid smoothed_heights(Grid heights) {
     return heights;
 }
 
-/// Whether the steps of single cells are smoothed: not where colours tell heights or slopes.
-bool smooths_pile(const Snapshot& snapshot, const LookSettings& look) {
-    return snapshot.landform == Landform::pile && look.pile == PileSurface::smooth &&
-           look.mode == ViewMode::scenic && look.colour_by == Colouring::natural;
-}
-
 /// How many cells along each side become one.
 int cells_averaged(const Snapshot& snapshot, const View& view) {
     const int longer = std::max(snapshot.bed.nx(), snapshot.bed.ny());
@@ -197,6 +191,11 @@ int cells_averaged(const Snapshot& snapshot, const View& view) {
 
 }  // namespace
 
+bool draws_poured_sand(const Snapshot& snapshot, const LookSettings& look) {
+    return snapshot.landform == Landform::pile && look.pile == PileSurface::smooth &&
+           look.mode == ViewMode::scenic && look.colour_by == Colouring::natural;
+}
+
 const Snapshot& drawable(const Snapshot& snapshot) {
     if (const std::string fault = beyond_ground(snapshot); !fault.empty())
         throw Error("no picture can be made: " + fault);
@@ -209,7 +208,7 @@ std::optional<Snapshot> shown_snapshot(const Snapshot& snapshot, const View& vie
     if (ny == 1 && nx > 1) return as_strip(snapshot, view.look);
     const int k = cells_averaged(snapshot, view);
     if (k > 1) return coarser(snapshot, k);
-    if (!smooths_pile(snapshot, view.look)) return std::nullopt;
+    if (!draws_poured_sand(snapshot, view.look)) return std::nullopt;
     Snapshot shown = snapshot;
     shown.bed = smoothed_heights(std::move(shown.bed));
     return shown;

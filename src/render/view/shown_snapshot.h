@@ -25,4 +25,8 @@ const Snapshot& drawable(const Snapshot& snapshot);
 /// Nothing when the snapshot is drawn as it is.
 std::optional<Snapshot> shown_snapshot(const Snapshot& snapshot, const View& view);
 
+/// Whether a pile is drawn as dry sand poured on a board (look.pile): not where colours tell
+/// heights or slopes.
+bool draws_poured_sand(const Snapshot& snapshot, const LookSettings& look);
+
 }  // namespace fumon

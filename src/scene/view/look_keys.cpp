@@ -160,8 +160,9 @@ void list_ground_keys(LookSettings& look, KeyTable& table) {
     table.choice(
         "look.pile", look.pile,
         {{PileSurface::smooth, "smooth",
-          "steps and pits of single cells are smoothed, as in dry sand; only in scenic "
-          "views in natural colours, never in what is computed or measured"},
+          "dry sand: steps and pits of single cells are smoothed, and on a table cells without "
+          "grains are a board; only in scenic views in natural colours, never in what is "
+          "computed or measured"},
          {PileSurface::cells, "cells", "the cells as they are"}},
         {.help = "surface of piles of sand (model sandpile)", .earlier = {"0.3.0", "\"cells\""}});
     table.real("look.ripples", look.ripples,
