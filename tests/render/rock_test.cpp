@@ -68,6 +68,24 @@ TEST(Rock, LiesInBedsOnAWall) {
     EXPECT_GT(steps_between(image, true), 1.0);
 }
 
+// A survey says nothing of beds.
+TEST(Rock, HasNoBedsOnSurveyedMountainsUnlessAsked) {
+    View view = from({20.0, 320.0, 90.0}, {240.0, 320.0, 80.0});
+    view.sun.azimuth = 250.0;
+    view.sun.elevation = 35.0;
+    view.look.mark = Marking::none;
+    Snapshot mountain = wall();
+    for (double& height : mountain.bed.values()) height *= 40.0;
+    mountain.scale.dx = mountain.scale.dy = 10.0;
+    mountain.periodic = false;
+    mountain.fields.clear();
+    mountain.landform = Landform::terrain;
+    const Image bare = picture(view, mountain);
+    view.look.strata = true;
+    const Image bedded = picture(view, mountain);
+    EXPECT_GT(steps_between(bedded, true), 1.5 * steps_between(bare, true));
+}
+
 // The ratio by which rough ground throws light back grows without bound as sun and eye come along
 // it.
 TEST(Rock, DoesNotSparkleInASunAlongIt) {

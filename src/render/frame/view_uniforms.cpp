@@ -132,6 +132,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
         {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
         {"plaster", switched(view.look.sides == BlockSides::plain && scenic)},
         {"strata", switched(view.look.strata)},
+        {"bedded", switched(view.look.strata || !block.tiles.plain || block.rock <= 0.0)},
         {"blue_green", switched(view.look.water_tint == WaterTint::blue_green)},
         {"plain", switched(block.tiles.plain)},
         {"varied", switched(tiles_are_warped(view, !block.tiles.plain))},

@@ -146,7 +146,7 @@ void list_ground_keys(LookSettings& look, KeyTable& table) {
                   .earliest = {"0.2.0", "\"layers\""}});
     table.boolean("look.strata", look.strata,
                   {.help = "layers in steep ground and stones on it, which no data hold: a look, "
-                           "for blocks with water",
+                           "for blocks with water and for mountains on endless ground",
                    .earlier = {"0.3.0", "true"}});
     table.choice("look.sand", look.sand,
                  {{SandKind::quartz, "quartz", "golden, as most dunes are"},

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/snapshot_lookup.h"
 #include "base/worker_pool.h"
 #include "render/land/drained_land.h"
 #include "support/view_beds.h"
@@ -275,6 +276,105 @@ TEST(SurroundingLand, LetsTheStreamRunOnFromTheRimAndKeepsOtherGroundAsDamp) {
     const Maps early(bed);
     for (int x = 0; x < in.nx; ++x)
         ASSERT_LT(early.maps.fields.front().values(x, in.south - 8), 0.5);
+}
+
+/// Land that falls eastward to the sea, whose floor goes on falling under water of `deepest`.
+Snapshot coast(double deepest) {
+    Snapshot land = valley();
+    Grid depth(bed_nx, bed_ny);
+    for (int y = 0; y < bed_ny; ++y) {
+        for (int x = 0; x < bed_nx; ++x) {
+            const double ground =
+                4.0 * (35.0 - x) + 6.0 * std::sin(0.5 * y) + 3.0 * std::sin(0.7 * x);
+            land.bed(x, y) = std::max(ground, -deepest);
+            depth(x, y) = std::max(-land.bed(x, y), 0.0);
+        }
+    }
+    if (deepest == 0.0) return land;
+    land.landform = Landform::water;
+    land.fields = {{"water_depth", "", "m", depth},
+                   {"velocity_x", "", "m s-1", Grid(bed_nx, bed_ny)},
+                   {"velocity_y", "", "m s-1", Grid(bed_nx, bed_ny)}};
+    return land;
+}
+
+TEST(SurroundingLand, EndsInTheSeaThatTheSurveyEndsIn) {
+    const Snapshot bed = coast(0.0);
+    const Maps in(bed);
+    const double step = largest_step(bed.bed, 0, bed_nx - 1, 0, bed_ny);
+    EXPECT_LT(largest_step(in.maps.bed, in.west - 1, in.west, in.south, in.south + bed_ny),
+              2.0 * step);
+    for (int y = 0; y < in.ny; ++y) {
+        for (int x = 0; x < in.nx; ++x) {
+            ASSERT_GE(in.maps.bed(x, y), 0.0);
+            ASSERT_EQ(in.maps.bed(in.nx + x, y), 0.0);
+        }
+        ASSERT_EQ(in.maps.bed(0, y), 0.0) << "the tiles meet";
+    }
+    for (int y = in.south + 5; y < in.south + bed_ny - 5; ++y) {
+        EXPECT_EQ(in.maps.bed(in.west + bed_nx + 4, y), 0.0);
+        EXPECT_GT(in.maps.bed(in.west - 4, y), 50.0);
+    }
+}
+
+TEST(SurroundingLand, HasWaterOfOneLevelInTheSea) {
+    const Maps in(coast(8.0));
+    const Grid* depth = field_of(in.maps.fields, "water_depth");
+    ASSERT_NE(depth, nullptr);
+    for (int y = 0; y < in.ny; ++y) {
+        for (int x = 0; x < in.nx; ++x) {
+            if (in.maps.bed(x, y) < -0.1) {
+                ASSERT_NEAR(in.maps.bed(x, y) + (*depth)(x, y), 0.0, 1e-9);
+            }
+            ASSERT_NEAR((*depth)(in.nx + x, y), 8.0, 4.0);
+        }
+    }
+}
+
+TEST(SurroundingLand, TakesNoRowOfEqualHeightsForTheSea) {
+    Snapshot bed = valley();
+    for (int x = 0; x < bed_nx; ++x) bed.bed(x, 0) = -2.0;
+    const Maps in(bed);
+    const Grid far = tile_from(in, in.nx);
+    const auto [low, high] = std::ranges::minmax(far.values());
+    EXPECT_GT(high - low, 5.0);
+}
+
+constexpr int foot_cells = 100;
+
+/// A cone with a crater, whose feet end at four sides and, lower, at the corners.
+Snapshot volcano() {
+    Snapshot land = valley();
+    land.scale.dx = land.scale.dy = 80.0;
+    land.bed = Grid(foot_cells, foot_cells);
+    for (int y = 0; y < foot_cells; ++y) {
+        for (int x = 0; x < foot_cells; ++x) {
+            const double east = 80.0 * (x - 49.5);
+            const double north = 80.0 * (y - 49.5);
+            const double away = std::hypot(east, north);
+            const double crater = away < 400.0 ? -160.0 * (1.0 - away * away / 160000.0) : 0.0;
+            land.bed(x, y) = 1500.0 * std::exp(-away / 1500.0) + crater +
+                             8.0 * std::sin(1.1 * x + 0.4 * y) * std::sin(1.3 * y);
+        }
+    }
+    return land;
+}
+
+TEST(SurroundingLand, HasNoWallAroundALoneMountain) {
+    const Snapshot bed = volcano();
+    const Maps in(bed);
+    double worst = 0.0;
+    const auto see = [&](int x, int y, int u, int v) {
+        worst = std::max(worst, std::abs(in.maps.bed(x, y) - in.maps.bed(x + u, y + v)));
+    };
+    for (int i = 0; i < foot_cells; ++i) {
+        see(in.west, in.south + i, -1, 0);
+        see(in.west + foot_cells - 1, in.south + i, 1, 0);
+        see(in.west + i, in.south, 0, -1);
+        see(in.west + i, in.south + foot_cells - 1, 0, 1);
+    }
+    const double own = largest_step(bed.bed, 0, 10, 0, foot_cells);
+    EXPECT_LT(worst, 3.0 * own) << "its summit does not lift the land beyond its feet";
 }
 
 TEST(SurroundingPlain, TellsInventedGroundFromTheBedAndItsMaskedCells) {
