@@ -19,8 +19,8 @@ constexpr int bed_nx = 60;
 constexpr int bed_ny = 40;
 
 /// The maps of a bed in its plain, with what is known of where it lies.
-struct Maps {
-    explicit Maps(const Snapshot& bed, int workers = 1)
+struct PlainMaps {
+    explicit PlainMaps(const Snapshot& bed, int workers = 1)
         : pool(workers), plain(bed, pool), maps(plain.around(bed)) {
         nx = maps.bed.nx() / 2;
         ny = maps.bed.ny();
@@ -39,7 +39,7 @@ struct Maps {
 
 TEST(SurroundingPlain, LeavesTheBedAsItIs) {
     const Snapshot bed = wavy_bed(bed_nx, bed_ny);
-    const Maps in(bed);
+    const PlainMaps in(bed);
     EXPECT_TRUE(in.maps.periodic);
     EXPECT_TRUE(in.maps.nodata.empty());
     EXPECT_GE(in.west, 24);
@@ -59,7 +59,7 @@ double largest_step(const Grid& field, int x0, int x1, int y0, int y1) {
 
 TEST(SurroundingPlain, GoesOnWithoutAStepAndAsUneven) {
     const Snapshot bed = wavy_bed(bed_nx, bed_ny);
-    const Maps in(bed);
+    const PlainMaps in(bed);
     const double own = largest_step(bed.bed, 0, bed_nx - 1, 0, bed_ny);
     const int east = in.west + bed_nx;
     const int north = in.south + bed_ny;
@@ -80,7 +80,7 @@ TEST(SurroundingPlain, GoesOnWithoutAStepAndAsUneven) {
 TEST(SurroundingPlain, AFlatBedLiesInAFlatPlain) {
     Snapshot bed;
     bed.bed = Grid(30, 30, 7.5);
-    const Maps in(bed);
+    const PlainMaps in(bed);
     for (const double height : in.maps.bed.values()) ASSERT_NEAR(height, 7.5, 1e-9);
 }
 
@@ -89,7 +89,7 @@ TEST(SurroundingPlain, LiesAtTheEdgesLevel) {
     bed.bed = Grid(40, 40, 2.0);
     for (int y = 15; y < 25; ++y)
         for (int x = 15; x < 25; ++x) bed.bed(x, y) = 9.0;  // amid
-    const Maps in(bed);
+    const PlainMaps in(bed);
     double sum = 0.0;
     for (int y = 0; y < in.ny; ++y) sum += in.maps.bed(in.nx + 3, y);
     EXPECT_NEAR(sum / in.ny, 2.0, 0.5);
@@ -98,7 +98,7 @@ TEST(SurroundingPlain, LiesAtTheEdgesLevel) {
 TEST(SurroundingPlain, CoversCellsOutsideTheBed) {
     const Snapshot bed = masked_bed(bed_nx, bed_ny);
     EXPECT_TRUE(is_bounded(bed));
-    const Maps in(bed);
+    const PlainMaps in(bed);
     const auto [low, high] = std::ranges::minmax(in.maps.bed.values());
     EXPECT_GT(low, -10.0) << "of -9999 nothing is left";
     EXPECT_LT(high, 15.0);
@@ -108,7 +108,7 @@ TEST(SurroundingPlain, CoversCellsOutsideTheBed) {
 
 TEST(SurroundingPlain, IsTheSameForAnyNumberOfThreads) {
     const Snapshot bed = masked_bed(bed_nx, bed_ny);
-    EXPECT_EQ(Maps(bed, 1).maps.bed, Maps(bed, 3).maps.bed);
+    EXPECT_EQ(PlainMaps(bed, 1).maps.bed, PlainMaps(bed, 3).maps.bed);
 }
 
 /// A valley that descends southward between ridges, with a step of relief across.
@@ -125,12 +125,12 @@ Snapshot valley() {
     return land;
 }
 
-bool is_bed(const Maps& in, int x, int y) {
+bool is_bed(const PlainMaps& in, int x, int y) {
     return x >= in.west && x < in.west + bed_nx && y >= in.south && y < in.south + bed_ny;
 }
 
 TEST(SurroundingLand, HasNoClosedHollows) {
-    const Maps in(valley());
+    const PlainMaps in(valley());
     ASSERT_TRUE(in.plain.is_drained());
     int hollows = 0;
     for (int y = 1; y + 1 < in.ny; ++y) {
@@ -147,7 +147,7 @@ TEST(SurroundingLand, HasNoClosedHollows) {
 
 TEST(SurroundingLand, MeetsTheEdgeInHeightAndSlope) {
     const Snapshot bed = valley();
-    const Maps in(bed);
+    const PlainMaps in(bed);
     std::vector<double> across;  // what slopes change by from cell to cell at the edge
     const auto bend = [&](int x, int y, int east, int north) {
         const Grid& z = in.maps.bed;
@@ -178,13 +178,13 @@ TEST(SurroundingLand, MeetsTheEdgeInHeightAndSlope) {
 
 TEST(SurroundingLand, IsAsSteepAsTheBedAndTheSameForAnyNumberOfThreads) {
     const Snapshot bed = valley();
-    const Maps in(bed, 1);
+    const PlainMaps in(bed, 1);
     Grid far(in.nx, in.ny);
     for (int y = 0; y < in.ny; ++y)
         for (int x = 0; x < in.nx; ++x) far(x, y) = in.maps.bed(in.nx + x, y);
     const double own = mean_gradient(bed.bed, {}, 10.0, 10.0);
     EXPECT_NEAR(mean_gradient(far, {}, 10.0, 10.0), own, 0.25 * own);
-    EXPECT_EQ(in.maps.bed, Maps(bed, 2).maps.bed);
+    EXPECT_EQ(in.maps.bed, PlainMaps(bed, 2).maps.bed);
 }
 
 /// The sharpest bend of rows and columns, from cell to cell.
@@ -202,14 +202,14 @@ double sharpest_bend(const Grid& land, const Mask& without) {
 }
 
 /// The bed's tile or, `first` a tile's width, the plain's.
-Grid tile_from(const Maps& in, int first) {
+Grid tile_from(const PlainMaps& in, int first) {
     Grid tile(in.nx, in.ny);
     for (int y = 0; y < in.ny; ++y)
         for (int x = 0; x < in.nx; ++x) tile(x, y) = in.maps.bed(first + x, y);
     return tile;
 }
 
-Mask surveyed(const Maps& in) {
+Mask surveyed(const PlainMaps& in) {
     Mask cells(in.nx, in.ny);
     for (int y = 0; y < in.ny; ++y)
         for (int x = 0; x < in.nx; ++x) cells(x, y) = is_bed(in, x, y) ? 1 : 0;
@@ -217,7 +217,7 @@ Mask surveyed(const Maps& in) {
 }
 
 TEST(SurroundingLand, MeetsThePlainWithoutATrench) {
-    const Maps in(valley());
+    const PlainMaps in(valley());
     EXPECT_LT(sharpest_bend(tile_from(in, 0), surveyed(in)),
               1.5 * sharpest_bend(tile_from(in, in.nx), {}));
 }
@@ -226,7 +226,7 @@ TEST(SurroundingLand, FallsFromHighRimsNoMoreSteeplyThanTheBed) {
     Snapshot bed = valley();
     for (int y = 0; y < bed_ny; ++y)
         for (int x = 0; x < bed_nx; ++x) bed.bed(x, y) += 4.0 * y;
-    const Maps in(bed);
+    const PlainMaps in(bed);
     EXPECT_LT(mean_gradient(tile_from(in, 0), surveyed(in), 10.0, 10.0),
               1.25 * mean_gradient(bed.bed, {}, 10.0, 10.0));
 }
@@ -236,13 +236,13 @@ TEST(SurroundingLand, HasNoCliffWhereASmoothSlopeComesDownToThePlain) {
     for (int y = 0; y < bed_ny; ++y)
         for (int x = 0; x < bed_nx; ++x)
             bed.bed(x, y) = x < 45 ? 60.0 : 60.0 - 4.0 * (x - 45) + 0.5 * std::sin(0.9 * y);
-    const Maps in(bed);
+    const PlainMaps in(bed);
     EXPECT_LT(sharpest_bend(tile_from(in, 0), surveyed(in)), 30.0);
 }
 
 TEST(SurroundingLand, StaysInAFilmOfABedThatChanges) {
     const Snapshot first = valley();
-    const Maps in(first);
+    const PlainMaps in(first);
     Snapshot later = first;
     later.bed(30, 20) -= 2.0;  // amid: nothing changes at the edge
     const Grid changed = in.plain.around(later).bed;
@@ -261,7 +261,7 @@ TEST(SurroundingLand, LetsTheStreamRunOnFromTheRimAndKeepsOtherGroundAsDamp) {
     bed.fields = {{"water_depth", "", "m", depth},
                   {"velocity_x", "", "m/s", Grid(bed_nx, bed_ny)},
                   {"velocity_y", "", "m/s", Grid(bed_nx, bed_ny, -1.0)}};
-    const Maps in(bed);
+    const PlainMaps in(bed);
     const Grid& water = in.maps.fields.front().values;
     EXPECT_EQ(water(in.west + 30, in.south + 5), 0.5);
     int streams = 0;
@@ -273,7 +273,7 @@ TEST(SurroundingLand, LetsTheStreamRunOnFromTheRimAndKeepsOtherGroundAsDamp) {
 
     // Early in a run the water has not reached the rim, so that nothing runs beyond it.
     for (int y = 0; y < 5; ++y) bed.fields.front().values(30, y) = 0.002;
-    const Maps early(bed);
+    const PlainMaps early(bed);
     for (int x = 0; x < in.nx; ++x)
         ASSERT_LT(early.maps.fields.front().values(x, in.south - 8), 0.5);
 }
@@ -300,7 +300,7 @@ Snapshot coast(double deepest) {
 
 TEST(SurroundingLand, EndsInTheSeaThatTheSurveyEndsIn) {
     const Snapshot bed = coast(0.0);
-    const Maps in(bed);
+    const PlainMaps in(bed);
     const double step = largest_step(bed.bed, 0, bed_nx - 1, 0, bed_ny);
     EXPECT_LT(largest_step(in.maps.bed, in.west - 1, in.west, in.south, in.south + bed_ny),
               2.0 * step);
@@ -318,7 +318,7 @@ TEST(SurroundingLand, EndsInTheSeaThatTheSurveyEndsIn) {
 }
 
 TEST(SurroundingLand, HasWaterOfOneLevelInTheSea) {
-    const Maps in(coast(8.0));
+    const PlainMaps in(coast(8.0));
     const Grid* depth = field_of(in.maps.fields, "water_depth");
     ASSERT_NE(depth, nullptr);
     for (int y = 0; y < in.ny; ++y) {
@@ -334,7 +334,7 @@ TEST(SurroundingLand, HasWaterOfOneLevelInTheSea) {
 TEST(SurroundingLand, TakesNoRowOfEqualHeightsForTheSea) {
     Snapshot bed = valley();
     for (int x = 0; x < bed_nx; ++x) bed.bed(x, 0) = -2.0;
-    const Maps in(bed);
+    const PlainMaps in(bed);
     const Grid far = tile_from(in, in.nx);
     const auto [low, high] = std::ranges::minmax(far.values());
     EXPECT_GT(high - low, 5.0);
@@ -362,7 +362,7 @@ Snapshot volcano() {
 
 TEST(SurroundingLand, HasNoWallAroundALoneMountain) {
     const Snapshot bed = volcano();
-    const Maps in(bed);
+    const PlainMaps in(bed);
     double worst = 0.0;
     const auto see = [&](int x, int y, int u, int v) {
         worst = std::max(worst, std::abs(in.maps.bed(x, y) - in.maps.bed(x + u, y + v)));
@@ -382,7 +382,7 @@ TEST(SurroundingPlain, TellsInventedGroundFromTheBedAndItsMaskedCells) {
     bed.nodata = Mask(bed_nx, bed_ny, 0);
     for (int y = 0; y < bed_ny; ++y)
         for (int x = 40; x < bed_nx; ++x) bed.nodata(x, y) = 1;
-    const Maps in(bed);
+    const PlainMaps in(bed);
     const Field<std::uint8_t> share = in.plain.invented_share(bed);
     ASSERT_EQ(share.nx(), 2 * in.nx);
     EXPECT_EQ(share(in.west + 39, in.south + 20), 0);
