@@ -46,7 +46,7 @@ vec3 with_cover(vec3 own, vec2 position, vec3 noise) {
     float snow = smoothstep(0.40, 0.60, cover.a + 0.25 * noise.g * step(0.004, cover.a) * step(cover.a, 0.996));
     vec3 meadow = mix(vec3(0.235, 0.205, 0.115), vec3(0.100, 0.124, 0.048), clamp(cover.r + 0.25 * noise.b, 0.0, 1.0)) * (1.0 + 0.12 * noise.g);
     vec3 soil = mix(own, vec3(0.250, 0.205, 0.155), 0.75);
-    vec3 cliff = mix(0.92 * soil, vec3(0.250, 0.232, 0.212), rock);  // earth where the relief is that of a gully
+    vec3 cliff = mix(0.92 * soil, vec3(0.262, 0.228, 0.188), rock);  // earth where the relief is that of a gully
     vec3 bare = mix(soil, cliff * (1.0 + 0.22 * noise.g), stone);
     return mix(mix(bare, meadow, 0.92 * grass * (1.0 - stone)), vec3(0.80, 0.83, 0.88), snow);
 }
@@ -83,7 +83,10 @@ vec3 ground_light_of(vec3 albedo, float direct, BedPoint point, vec3 to_eye, flo
         sky = sky_light * point.sky * max(1.0 + lean, 0.1);
         // A slope sees level ground, half of it in the sun, where it does not see the sky.
         float ground_seen = clamp(1.0 - point.sky, 0.0, 1.0);
-        bounce = albedo * (0.5 * sun_light * to_sun.z + sky_light) * ground_seen;
+        float lit = 0.5 * to_sun.z;
+        // Between hills a slope in shade sees the one that faces the sun.
+        if (covered > 0.5) lit = mix(lit, 0.8 * dot(vec2(0.5, 0.87), vec2(length(to_sun.xy), to_sun.z)), clamp(-2.0 * x, 0.0, 1.0));
+        bounce = albedo * (sun_light * lit + sky_light) * ground_seen;
     }
     float n_dot_l = max(dot(point.normal, to_sun), 0.0);
     vec3 halfway = normalize(to_sun + to_eye);

@@ -1,6 +1,8 @@
 // Weathered rock up close: beds of unequal hardness with ledges between them, joints that part them into blocks, and roughness at
 // every size that is seen. Needs common/noise.glsl before it. Lengths in metres, where there are metres.
 
+uniform float bedded;  // 1: walls show beds and joints, 0: no more than roughness
+
 // Of a wall's or a floor's plane: the slope of its roughness along both axes, and its height against the usual. Octaves
 // finer than `footprint` are left out.
 vec3 rock_roughness(vec2 p, float footprint) {
@@ -68,9 +70,11 @@ void weather(inout vec3 normal, inout vec3 albedo, vec3 at, float footprint, flo
     float height = at.z + 0.9 * value_noise(at.xy * 0.05) + 0.2 * value_noise(at.xy * 0.4 + 9.0) + 0.8 * value_noise(vec2(at.z * 0.3, 3.5));
     vec2 across = smoothstep(0.9, 1.8, slope) * smoothstep(vec2(0.4), vec2(0.8), abs(side.xy));
     Wall wall = Wall(0.0, 0.0, 0.0, vec2(0.0));
-    add_beds(wall, at, height, across, 6.1, footprint);
-    add_beds(wall, at, height, across, 1.7, footprint);
-    add_beds(wall, at, height, across, 0.47, footprint);
+    if (bedded > 0.5) {
+        add_beds(wall, at, height, across, 6.1, footprint);
+        add_beds(wall, at, height, across, 1.7, footprint);
+        add_beds(wall, at, height, across, 0.47, footprint);
+    }
 
     // A floor is swept and worn: stones, not ledges.
     vec3 tilt = mix(0.14 * vec3(on_floor.xy, 0.0), 0.6 * on_wall.x * side + vec3(0.5 * wall.facet, 0.6 * on_wall.y), steep);

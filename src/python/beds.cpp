@@ -19,6 +19,7 @@
 #include "measure/suite.h"
 #include "python/arrays.h"
 #include "python/drawer.h"
+#include "python/geo_references.h"
 #include "python/module.h"
 #include "python/scene_value.h"
 
@@ -62,11 +63,14 @@ void check_heights(const Snapshot& snapshot) {
 /// Draws beds that Python brings, framed by the first of them, as terrain files are drawn.
 class BedPainter {
   public:
-    BedPainter(Scene scene, Bed first, const CellSize& cell_size, std::optional<Image> drape) {
+    BedPainter(Scene scene, Bed first, const CellSize& cell_size,
+               const std::optional<GeoReferenceTuple>& place, std::optional<Image> drape) {
         InitialBed initial;
         initial.bed = std::move(first.heights);
         initial.nodata = std::move(first.nodata);
         initial.scale = scale_of(cell_size);
+        const bool is_laid_over = !scene.view.look.drape.empty() || !scene.view.layers.empty();
+        if (place && is_laid_over) initial.scale.place = geo_reference_of(*place);
         PreparedRun run = prepare_run(prepare_scene(std::move(scene), std::move(initial)), 1);
         if (drape) {
             run.scene.view.drape = std::make_shared<const Drape>(fitted_drape(*std::move(drape)));
@@ -138,6 +142,7 @@ void define_beds(py::module_& core) {
     py::class_<BedPainter>(core, "BedPainter")
         .def(py::init([](const SceneValue& scene, const GridArray& heights,
                          const std::optional<MaskArray>& nodata, const CellSize& cell_size,
+                         const std::optional<GeoReferenceTuple>& place,
                          const std::optional<ImageArray>& drape) {
                  Scene copy = scene.scene();
                  Bed bed = bed_of(heights, nodata);
@@ -145,10 +150,10 @@ void define_beds(py::module_& core) {
                  if (drape) laid = image_of(*drape);
                  const py::gil_scoped_release unlocked;
                  return std::make_unique<BedPainter>(std::move(copy), std::move(bed), cell_size,
-                                                     std::move(laid));
+                                                     place, std::move(laid));
              }),
              py::arg("scene"), py::arg("heights"), py::arg("nodata"), py::arg("cell_size"),
-             py::arg("drape") = py::none())
+             py::arg("place") = py::none(), py::arg("drape") = py::none())
         .def("first",
              [](const BedPainter& painter) {
                  Drawing drawing;

@@ -1,16 +1,12 @@
-#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <tuple>
 #include <utility>
 
-#include "base/error.h"
-#include "files/gdal/gdal_functions.h"
-#include "files/gdal/spatial_reference.h"
 #include "python/arrays.h"
+#include "python/geo_references.h"
 #include "python/module.h"
 #include "scene/beds/memory_bed.h"
 
@@ -21,9 +17,6 @@ namespace {
 namespace py = pybind11;
 
 using CellSize = std::optional<std::pair<double, double>>;
-/// West, south, dx and dy in the coordinates' own unit, whether that is degrees, and their system.
-using GeoReferenceTuple = std::tuple<double, double, double, double, bool, std::string>;
-
 /// A bed that Python keeps for its scenes, as its constructor's arguments for pickle.
 struct MemoryBedHandle {
     GridArray heights;
@@ -33,19 +26,6 @@ struct MemoryBedHandle {
     std::optional<bool> unit_counts;
     std::shared_ptr<const MemoryBed> held{};
 };
-
-/// "EPSG:32613" and the like as well-known text, where GDAL is there to know it.
-std::string wkt_of(const std::string& crs) {
-    if (crs.empty() || crs.find('[') != std::string::npos) return crs;
-    if (!has_gdal()) {
-        throw InputError(
-            fmt::format("to read the reference system \"{}\", fumon {}", crs, missing_gdal()));
-    }
-    const SpatialReference system(crs);
-    if (!system.understood())
-        throw InputError(fmt::format("the reference system \"{}\" is not known to PROJ", crs));
-    return system.wkt();
-}
 
 MemoryBedHandle memory_bed_handle(const GridArray& heights, const std::optional<MaskArray>& nodata,
                                   const CellSize& cell_size,
@@ -57,10 +37,7 @@ MemoryBedHandle memory_bed_handle(const GridArray& heights, const std::optional<
     if (nodata) terrain.nodata = mask_of(*nodata);
     const py::gil_scoped_release unlocked;
     if (cell_size) std::tie(terrain.dx, terrain.dy) = *cell_size;
-    if (place) {
-        const auto& [west, south, dx, dy, degrees, crs] = *place;
-        terrain.place = GeoReference{west, south, dx, dy, degrees, wkt_of(crs)};
-    }
+    if (place) terrain.place = geo_reference_of(*place);
     kept.held = MemoryBed::hold(std::move(terrain), unit_counts);
     return kept;
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -66,6 +67,24 @@ TEST(Rock, LiesInBedsOnAWall) {
     const Image image = picture(view, wall());
     EXPECT_GT(steps_between(image, true), 2.0 * steps_between(image, false));
     EXPECT_GT(steps_between(image, true), 1.0);
+}
+
+// A survey says nothing of beds.
+TEST(Rock, HasNoBedsOnSurveyedMountainsUnlessAsked) {
+    View view = from({20.0, 320.0, 90.0}, {240.0, 320.0, 80.0});
+    view.sun.azimuth = 250.0;
+    view.sun.elevation = 35.0;
+    view.look.mark = Marking::none;
+    Snapshot mountain = wall();
+    for (double& height : mountain.bed.values()) height *= 40.0;
+    mountain.scale.dx = mountain.scale.dy = 10.0;
+    mountain.periodic = false;
+    mountain.fields.clear();
+    mountain.landform = Landform::terrain;
+    const Image bare = picture(view, mountain);
+    view.look.strata = true;
+    const Image bedded = picture(view, mountain);
+    EXPECT_GT(steps_between(bedded, true), 1.5 * steps_between(bare, true));
 }
 
 // The ratio by which rough ground throws light back grows without bound as sun and eye come along
@@ -159,6 +178,49 @@ TEST(Rock, HasNoTeethInTheEdgeOfAShadowThatClimbsIt) {
     const Image image = picture(view, table(true));
     const auto in_shadow = [](const std::uint8_t* pixel) { return 85 - pixel[1]; };
     EXPECT_LT(strays_from_line(rows_above(image, 120, 230, 90, in_shadow)), 2.4);
+}
+
+/// Ridges of 40 m across the sun's way.
+Snapshot covered_ridges() {
+    Snapshot land;
+    land.landform = Landform::terrain;
+    land.bed = Grid(24, 24);
+    for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 24; ++x) land.bed(x, y) = 20.0 * std::sin(0.8 * x) + 0.5 * y;
+    land.scale.dx = land.scale.dy = 10.0;
+    land.scale.in_metres = true;
+    return land;
+}
+
+/// Blue over red of the darkest tenth of what lies below the horizon.
+double blueness_of_shade(const Image& image) {
+    std::vector<std::array<int, 3>> pixels;
+    for (int y = image.height / 2; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const auto* pixel = &image.row(y)[3 * static_cast<std::ptrdiff_t>(x)];
+            pixels.push_back({pixel[0] + pixel[1] + pixel[2], pixel[0], pixel[2]});
+        }
+    }
+    std::ranges::sort(pixels);
+    double red = 0.0;
+    double blue = 0.0;
+    for (std::size_t i = 0; i < pixels.size() / 10; ++i) {
+        red += pixels[i][1];
+        blue += pixels[i][2];
+    }
+    return blue / red;
+}
+
+TEST(CoveredLand, IsNotBlueInShade) {
+    View view = small_view(96, 54);
+    view.image.supersampling = 1;
+    view.look.ground = Ground::endless;
+    view.look.cover = LandCover::automatic;
+    view.look.exaggeration = {"", 1.0};
+    view.sun.azimuth = 270.0;
+    view.sun.elevation = 20.0;
+    view.camera.azimuth = 160.0;
+    EXPECT_LT(blueness_of_shade(picture(view, covered_ridges())), 1.1);
 }
 
 }  // namespace

@@ -1,42 +1,23 @@
 #include "figure/overlays/frame_contours.h"
 
-#include <optional>
+#include <utility>
 
-#include "figure/canvas/layers.h"
 #include "figure/panels/contours.h"
-#include "render/view/framing.h"
-#include "render/view/shown_snapshot.h"
 
 namespace fumon {
 
-FrameContours::FrameContours(const OverlayScene& on, double font_size)
-    : scene_(on.scene),
-      first_(on.shown),
-      block_(framed_block(on.scene.view, on.shown)),
-      font_size_(font_size) {}
+FrameContours::FrameContours(const OverlayScene& on, double font_size) : view_(on, font_size) {}
 
-void FrameContours::draw(Image& image, const OverlayFrame& frame,
-                         const std::vector<CanvasBox>& taken, double opacity) const {
-    const std::optional<Snapshot> reshaped = shown_snapshot(frame.snapshot, scene_.view);
-    const Snapshot& snapshot = reshaped ? *reshaped : frame.snapshot;
-    const auto contours = ground_contours(scene_.view.look.contours, snapshot);
-    if (!contours) return;
-    const Block block = block_of_frame(block_, scene_.view.look, first_, snapshot);
-    const Camera camera =
-        frame.camera != nullptr
-            ? *frame.camera
-            : above_ground(camera_at_step(scene_.view, block_, snapshot.step, scene_.run.steps),
-                           block, snapshot);
-    const std::vector<CanvasContour> lines = visible_contours(
-        *contours, snapshot,
-        {camera,
-         block,
-         {0.0, 0.0, static_cast<double>(image.width), static_cast<double>(image.height)}});
-    Canvas canvas(image.width, image.height, font_size_, CanvasGround::transparent);
-    draw_contours(canvas,
-                  {0.0, 0.0, static_cast<double>(image.width), static_cast<double>(image.height)},
-                  lines, contours->interval, taken);
-    composite_over(image, canvas.layer(), 0, 0, opacity);
+void FrameContours::draw(Image& image, const OverlayFrame& frame, std::vector<CanvasBox>& taken,
+                         double opacity) const {
+    view_.lay_over(
+        image, frame, opacity,
+        [&](Canvas& canvas, const Snapshot& snapshot, const ViewProjection& view) {
+            const auto contours = ground_contours(view_.scene().view.look.contours, snapshot);
+            if (!contours) return;
+            taken = draw_contours(canvas, view.picture, visible_contours(*contours, snapshot, view),
+                                  contours->interval, std::move(taken));
+        });
 }
 
 }  // namespace fumon

@@ -4,8 +4,8 @@
 
 #include "base/image.h"
 #include "figure/canvas/canvas_box.h"
+#include "figure/overlays/frame_view.h"
 #include "figure/overlays/overlay.h"
-#include "render/view/block.h"
 
 namespace fumon {
 
@@ -15,16 +15,13 @@ class FrameContours {
     /// Of the frames of a scene, which outlives them. `font_size` in pixels.
     FrameContours(const OverlayScene& on, double font_size);
 
-    /// Draws those of a frame's bed over it; labels keep away from boxes that are `taken`. Throws
-    /// InputError as ground_contours() does.
-    void draw(Image& image, const OverlayFrame& frame, const std::vector<CanvasBox>& taken,
+    /// Draws those of a frame's bed over it; labels keep away from boxes that are `taken`, and
+    /// are taken then. Throws InputError as ground_contours() does.
+    void draw(Image& image, const OverlayFrame& frame, std::vector<CanvasBox>& taken,
               double opacity) const;
 
   private:
-    const Scene& scene_;
-    Snapshot first_;  ///< as it is drawn
-    Block block_;
-    double font_size_;
+    FrameView view_;
 };
 
 }  // namespace fumon

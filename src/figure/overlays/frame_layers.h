@@ -4,8 +4,9 @@
 
 #include "base/image.h"
 #include "figure/canvas/canvas_box.h"
+#include "figure/overlays/frame_view.h"
 #include "figure/overlays/overlay.h"
-#include "render/view/block.h"
+#include "scene/view/layers.h"
 
 namespace fumon {
 
@@ -24,15 +25,12 @@ class FrameLayers {
               double opacity) const;
 
   private:
-    const Scene& scene_;
+    FrameView view_;
     std::vector<LayerSettings> settings_;
     PlacedLayers placed_;
-    Snapshot first_;  ///< as it is drawn
-    Block block_;
     double length_x_;  ///< of the bed, metres or sites
     double length_y_;
     bool moves_;
-    double font_size_;
 };
 
 }  // namespace fumon

@@ -122,6 +122,8 @@ class Labels {
         return found;
     }
 
+    [[nodiscard]] const std::vector<CanvasBox>& taken() const { return taken_; }
+
   private:
     static LabelGap place_between(const CanvasPoint& a, const CanvasPoint& b, double from,
                                   double to) {
@@ -172,8 +174,9 @@ std::vector<CanvasContour> visible_contours(const GroundContours& contours,
     return lines;
 }
 
-void draw_contours(Canvas& canvas, const CanvasBox& frame, const std::vector<CanvasContour>& lines,
-                   double interval, std::vector<CanvasBox> taken) {
+std::vector<CanvasBox> draw_contours(Canvas& canvas, const CanvasBox& frame,
+                                     const std::vector<CanvasContour>& lines, double interval,
+                                     std::vector<CanvasBox> taken) {
     const double font = canvas.font_size();
     const CanvasClip clip(canvas, frame);
     Labels labels(canvas, frame, std::move(taken));
@@ -203,6 +206,7 @@ void draw_contours(Canvas& canvas, const CanvasBox& frame, const std::vector<Can
         }
         canvas.stroke(measured.part(from, measured.length()), thick_width_em * font, contour_ink);
     }
+    return labels.taken();
 }
 
 }  // namespace fumon

@@ -20,8 +20,10 @@ std::vector<CanvasContour> visible_contours(const GroundContours& contours,
                                             const Snapshot& snapshot, const ViewProjection& view);
 
 /// Strokes lines within a frame and writes heights into gaps of the thick ones, where these are
-/// straight. Labels keep away from one another, from `taken` and from the frame's edges.
-void draw_contours(Canvas& canvas, const CanvasBox& frame, const std::vector<CanvasContour>& lines,
-                   double interval, std::vector<CanvasBox> taken = {});
+/// straight. Labels keep away from one another, from `taken` and from the frame's edges. Returns
+/// what is taken then.
+std::vector<CanvasBox> draw_contours(Canvas& canvas, const CanvasBox& frame,
+                                     const std::vector<CanvasContour>& lines, double interval,
+                                     std::vector<CanvasBox> taken = {});
 
 }  // namespace fumon

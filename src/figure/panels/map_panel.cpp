@@ -214,7 +214,7 @@ void MapPanel::draw_contours_over(Canvas& canvas, const CanvasBox& frame) const 
         }
         lines.push_back(std::move(drawn));
     }
-    draw_contours(canvas, frame, lines, contours.interval);
+    static_cast<void>(draw_contours(canvas, frame, lines, contours.interval));
 }
 
 /// Measured lines lie over predicted ones, which are wider, so that both show where they coincide.

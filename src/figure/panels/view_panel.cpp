@@ -248,7 +248,7 @@ void ViewPanel::draw_contours_over(Canvas& canvas, const CanvasBox& frame) const
         for (CanvasPoint& point : line.points)
             point = {frame.x + frame.width * point.x, frame.y + frame.height * point.y};
     }
-    draw_contours(canvas, frame, lines, picture_.contour_interval);
+    static_cast<void>(draw_contours(canvas, frame, lines, picture_.contour_interval));
 }
 
 void ViewPanel::draw_layers_over(Canvas& canvas, const CanvasBox& frame) const {

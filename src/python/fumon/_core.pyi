@@ -10,6 +10,7 @@ _Measured = list[tuple[str, float, str, str]]
 _Drawn = tuple[npt.NDArray[np.uint8], str]
 _Layers = tuple[list[tuple[str, str, npt.NDArray[np.float32]]], str]
 _CellSize = tuple[float, float] | None
+_Place = tuple[float, float, float, float, bool, str]
 
 class _Compared(TypedDict):
     likeness: Literal["identical", "same to the eye", "close", "different"]
@@ -85,7 +86,7 @@ class SceneValue:
 
 class HeldBed:
     def __init__(self, heights: npt.NDArray[np.float64], nodata: npt.NDArray[np.uint8] | None, cell_size: _CellSize,
-                 place: tuple[float, float, float, float, bool, str] | None, unit_counts: bool | None) -> None: ...
+                 place: _Place | None, unit_counts: bool | None) -> None: ...
     @property
     def name(self) -> str: ...
 
@@ -210,7 +211,8 @@ class RecordPainter:
 
 class BedPainter:
     def __init__(self, scene: SceneValue, heights: npt.NDArray[np.float64], nodata: npt.NDArray[np.uint8] | None,
-                 cell_size: _CellSize, drape: npt.NDArray[np.uint8] | None = None) -> None: ...
+                 cell_size: _CellSize, place: _Place | None = None,
+                 drape: npt.NDArray[np.uint8] | None = None) -> None: ...
     def first(self) -> _Drawn: ...
     def layers(self) -> _Layers: ...
     def draw(self, heights: npt.NDArray[np.float64], nodata: npt.NDArray[np.uint8] | None) -> _Drawn: ...

@@ -10,9 +10,11 @@ from typing import Any, Iterable, Mapping, Sequence, Union
 import numpy as np
 import numpy.typing as npt
 
+from .map_layers import Features, map_layers
+
 #: What a key is set to.
 Setting = Union[str, "os.PathLike[str]", bool, int, float, np.generic, npt.NDArray[np.generic], Sequence["Setting"],
-                Mapping[str, "Setting"]]
+                Mapping[str, "Setting"], Features]
 
 
 def key_of(name: str) -> str:
@@ -45,8 +47,12 @@ def toml_of(value: Any, key: str) -> str:
 
 def settings_of(given: Mapping[str, Setting]) -> list[tuple[str, str]]:
     """Keys with their values as TOML; a list of dicts (``overlay=[{"kind": "scale-bar"}]``) sets the keys of a list of
-    sections, item by item."""
-    return [setting for name, value in given.items() for setting in _settings(key_of(name), value)]
+    sections, item by item. ``layers``: what lies over the bed, see map_layers()."""
+    return [setting for name, value in given.items() for setting in _settings(*_section(name, value))]
+
+
+def _section(name: str, value: Any) -> tuple[str, Any]:
+    return ("layer", map_layers(value)) if name == "layers" else (key_of(name), value)
 
 
 def _settings(key: str, value: Setting) -> Iterable[tuple[str, str]]:

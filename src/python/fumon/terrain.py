@@ -21,6 +21,9 @@ _names_of_y = {"y", "lat", "latitude", "northing", "north", "projection_y_coordi
 _names_of_x = {"x", "lon", "longitude", "easting", "east", "projection_x_coordinate"}
 _evenness = 0.05  # of a cell, by which coordinates may stand off the even line, as of files
 
+#: West and south of the grid's edges, dx and dy in the coordinates' own unit, whether that is degrees, and their system.
+Place = Tuple[float, float, float, float, bool, str]
+
 
 @dataclass
 class Bed:
@@ -29,6 +32,7 @@ class Bed:
     heights: Numbers
     nodata: Bytes | None
     cell_size: tuple[float, float] | None
+    place: Place | None = None
 
 
 def render(data: Heights, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
@@ -45,7 +49,9 @@ def render(data: Heights, cell_size: CellSize = None, *, origin: Origin = "lower
         the northernmost row first. ``look_drape="photo.tif"`` names a file; ``look_drape_strength`` and
         ``look_drape_light`` hold for both.
     look: keys of a scene, with an underscore for the dot: ``camera_azimuth=160, look_palette="viridis",
-        image_width=800``.
+        image_width=800``. ``layers`` lays lines, points and areas over the terrain: a vector file, GeoJSON, a
+        GeoDataFrame, a mapping of the keys of ``[[layer]]``, or a list of these. They are brought to the reference
+        system of a DataArray; over an array they are metres from its south-western corner.
 
     Returns uint8 (height, width, 3), top row first. With ``look_background="transparent"`` it is the block alone, as
     (height, width, 4) with alpha, by which colours are not multiplied.
@@ -83,7 +89,7 @@ def _painter(bed: Bed, look: Mapping[str, Setting], drape: Bytes | None = None) 
         if drape.dtype != np.uint8:
             raise TypeError(f"drape is an array of uint8, not {drape.dtype}")
     scene = _core.SceneValue.terrain(settings_of(look))
-    return _core.BedPainter(scene, bed.heights, bed.nodata, bed.cell_size, drape)
+    return _core.BedPainter(scene, bed.heights, bed.nodata, bed.cell_size, bed.place, drape)
 
 
 class Painter:
@@ -114,10 +120,6 @@ def bed_of(data: Heights, cell_size: CellSize = None, origin: Origin = "lower", 
     if hasattr(data, "dims") and hasattr(data, "coords"):
         return _bed_of_dataarray(data, size, origin)
     return _bed_of_array(data, size, flipped=origin == "upper")
-
-
-#: West and south of the grid's edges, dx and dy in the coordinates' own unit, whether that is degrees, and their system.
-Place = Tuple[float, float, float, float, bool, str]
 
 
 def held_bed(data: Any, cell_size: CellSize = None, origin: Origin = "lower", field: str | None = None) -> _core.HeldBed:
@@ -276,10 +278,14 @@ def _bed_of_dataarray(array: Any, size: tuple[float, float] | None, origin: Orig
     is_upper = origin == "upper"
     if y is not None and array.sizes[north] > 1:
         is_upper = bool(y.values[-1] < y.values[0])
-    if size is None and x is not None and y is not None:
+    counts = size is None and x is not None and y is not None
+    if counts:
         size = _size_of_coordinates(x, y)
     factor = _height_factor(array)
-    return _bed_of_array(values if factor == 1.0 else values * factor, size, is_upper)
+    bed = _bed_of_array(values if factor == 1.0 else values * factor, size, is_upper)
+    if counts:
+        bed.place = _place_of(array)
+    return bed
 
 
 def _height_factor(array: Any) -> float:

@@ -24,8 +24,9 @@ constexpr float bloom_of_moon = 2e-7F;
 
 Tone chosen_tone(const LookSettings& look, const Light& light) {
     if (look.tone != Tone::automatic && look.tone != Tone::automatic_0_2) return look.tone;
-    const bool punchy =
-        look.ground == Ground::endless || (look.tone == Tone::automatic && light.atmosphere);
+    const bool endless = look.ground == Ground::endless;
+    if (endless && look.cover == LandCover::automatic) return Tone::filmic;
+    const bool punchy = endless || (look.tone == Tone::automatic && light.atmosphere);
     return punchy ? Tone::agx_punchy : Tone::filmic;
 }
 
@@ -55,9 +56,8 @@ Rendering chosen_rendering(const View& view, const Light& light) {
                 look.exposure + (brighter ? around_a_block : 0.0)};
     }
     if (!look.contrast.is_word()) return {look.contrast.value, look.exposure};
-    constexpr double of_covered_land =
-        1.15;  // grass and wet soil are dark, and walls in shade more so
-    if (look.cover == LandCover::automatic) return {of_covered_land, look.exposure};
+    // Grass and wet soil are dark, and walls in shade more so.
+    if (look.cover == LandCover::automatic) return {1.12, look.exposure - 0.3};
     constexpr double low = 0.2;  // sines of elevations
     constexpr double high = 0.5;
     double share =
@@ -132,6 +132,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
         {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
         {"plaster", switched(view.look.sides == BlockSides::plain && scenic)},
         {"strata", switched(view.look.strata)},
+        {"bedded", switched(view.look.strata || !block.tiles.plain || block.rock <= 0.0)},
         {"blue_green", switched(view.look.water_tint == WaterTint::blue_green)},
         {"plain", switched(block.tiles.plain)},
         {"varied", switched(tiles_are_warped(view, !block.tiles.plain))},

@@ -204,6 +204,24 @@ Mask staying(const Field<LandCell>& cells) {
     return stays;
 }
 
+/// Of cells that stay, those with a free one beside them.
+Mask rims(const Field<LandCell>& cells) {
+    const auto is_free = [&](int x, int y) {
+        return x >= 0 && y >= 0 && x < cells.nx() && y < cells.ny() &&
+               cells(x, y) == LandCell::free;
+    };
+    Mask rim(cells.nx(), cells.ny());
+    for (int y = 0; y < cells.ny(); ++y) {
+        for (int x = 0; x < cells.nx(); ++x) {
+            if (is_free(x, y)) continue;
+            for (int v = y - 1; v <= y + 1; ++v)
+                for (int u = x - 1; u <= x + 1; ++u)
+                    if (is_free(u, v)) rim(x, y) = 1;
+        }
+    }
+    return rim;
+}
+
 }  // namespace
 
 void drain(Grid& heights, const Field<LandCell>& cells, double dx, double dy, double least_fall) {
@@ -214,7 +232,7 @@ void drain(Grid& heights, const Field<LandCell>& cells, double dx, double dy, do
 void drain_between(Grid& heights, const Field<LandCell>& cells, double dx, double dy,
                    double least_fall, double steepest) {
     Mask still = staying(cells);
-    const Grid lowest = falling_from(heights, still, dx, dy, steepest);
+    const Grid lowest = falling_from(heights, rims(cells), dx, dy, steepest);
     for (std::size_t i = 0; i < heights.size(); ++i)
         if (still.values()[i] == 0)
             heights.values()[i] = std::max(heights.values()[i], lowest.values()[i]);

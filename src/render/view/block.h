@@ -31,6 +31,7 @@ struct Block {
     double eye_above = 0.0;             ///< the ground there, at least
     std::optional<glm::dvec3> look_at;  ///< what it looks at, if that is a point
     double rock = 0.0;                  ///< 0 sand … 1 mountains, for the natural colouring
+    bool goes_on = false;               ///< invented land lies around it
     GroundTiles tiles;                  ///< of endless ground, whose block is one of them wide
 
     [[nodiscard]] double z(double height) const { return (height - reference) * height_scale; }

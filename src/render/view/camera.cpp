@@ -16,6 +16,7 @@ namespace {
 
 constexpr double turn_step =
     3.0;  // degrees between the azimuths at which a turning block is fitted
+constexpr double steep_view = 60.0;  // degrees: from there on a block is fitted, see stand_before()
 
 /// Turns a camera about its axis, to the right.
 void roll(Camera& camera, double degrees) {
@@ -104,6 +105,25 @@ void fit_orthographic(Camera& camera, const CameraSettings& settings, const Bloc
     camera.eye = middle.x * camera.right + middle.y * camera.up - 3.0 * camera.forward;
 }
 
+/// Puts a camera before a block around which land goes on: what lies nearer than the block is not
+/// seen, or as little as its breadth allows.
+void stand_before(Camera& camera, const Block& block) {
+    const glm::dvec2 toward = -glm::normalize(glm::dvec2(camera.forward));
+    const glm::dvec2 aside(camera.right);
+    double reach = 0.0;
+    double breadth = 0.0;
+    for (const glm::dvec2& point : block.outline) {
+        reach = std::max(reach, glm::dot(point, toward));
+        breadth = std::max(breadth, std::abs(glm::dot(point, aside)));
+    }
+    double distance = breadth / camera.half.x;
+    const glm::dvec3 lowest = camera.forward - camera.half.y * camera.up;
+    const double ahead = -glm::dot(glm::dvec2(lowest), toward) / -lowest.z;  // of a fall of 1
+    const double nearer = -glm::dot(glm::dvec2(camera.forward), toward) + camera.forward.z * ahead;
+    if (nearer > 0.0) distance = std::min(distance, reach / nearer);
+    camera.eye = glm::dvec3(0.0, 0.0, block.surface) - distance * camera.forward;
+}
+
 /// Puts a camera at a place, or lets it look at one.
 void stand(Camera& camera, const CameraSettings& settings, const Block& block) {
     const glm::dvec3 target = block.look_at.value_or(centre(block));
@@ -179,6 +199,9 @@ Camera place_camera(const CameraSettings& settings, const Block& block, double a
     } else if (!used.distance.is_word()) {
         camera.eye = centre(block) - used.distance.value * camera.forward;
         if (!camera.perspective) camera.half *= used.distance.value;
+    } else if (camera.perspective && block.goes_on && used.distance.word == "auto" &&
+               used.elevation < steep_view) {
+        stand_before(camera, block);
     } else if (camera.perspective) {
         fit_perspective(camera, used, block);
     } else {

@@ -52,7 +52,9 @@ struct Camera {
 
 /// The camera of a view, fixed by the block. `distance = fit` moves it as near as the border
 /// camera.margin allows: all corners of the block, its sides included, lie inside, and it touches
-/// the border on the axis that limits. Where the camera turns, one distance serves the whole turn.
+/// the border on the axis that limits. `auto` is `fit`, but where the block goes on beyond its
+/// edges its nearest point lies at the picture's lower edge, or the block's middle is as broad as
+/// the picture, whichever is nearer. Where the camera turns, one distance serves the whole turn.
 /// `map` looks straight down with north up, without perspective, and one scale along both axes.
 /// `progress` is the share of the run that is over, 0 … 1.
 Camera place_camera(const CameraSettings& settings, const Block& block, double aspect,

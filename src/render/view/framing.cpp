@@ -12,6 +12,8 @@
 #include "base/elementary_angle.h"
 #include "base/snapshot_lookup.h"
 #include "base/units.h"
+#include "render/view/ground_choice.h"
+#include "render/view/surrounding_plain.h"
 #include "render/view/water.h"
 #include "scene/placed_sun.h"
 
@@ -222,6 +224,7 @@ Block framed_block(const View& view, const Snapshot& first) {
         block.eye_above = view.camera.at[2] / first.scale.height_unit * block.height_scale;
     if (block.eye || block.look_at) stand_on_copies(block, view, first);
     set_framing(block, view.camera.framing, first);
+    block.goes_on = is_endless(view, first) && is_bounded(first);
     return block;
 }
 

@@ -11,6 +11,7 @@
 #include "numerics/smooth_step.h"
 #include "numerics/tension_surface.h"
 #include "render/land/drained_land.h"
+#include "render/land/sea_level.h"
 #include "render/view/surrounding_plain.h"
 #include "render/view/water.h"
 
@@ -26,7 +27,8 @@ constexpr double clear_share = 0.8;        // of the margin: between the bed and
 constexpr int coarse_cell = 8;             // cells: over which slopes at the bed's edge are led on
 constexpr double begins_within = 10.0;     // cells from the bed
 constexpr double ends_within = 4.0;        // cells: water that no valley takes
-constexpr double least_stream = 3.0;       // of closed_depth: of streams and lakes
+constexpr double coast_begins_within = 6.0;
+constexpr double least_stream = 3.0;  // of closed_depth: of streams and lakes
 
 }  // namespace
 
@@ -36,12 +38,22 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
     const LandRelief relief = relief_of(first.bed, first.nodata, dx, dy);
     const double gradient = relief.gradient;
     if (!(gradient > 0.0)) return;
+    const Grid heights = in_tile(first.bed);
+    const Field<float> depth = distances_to(outside);
+    Grid surface = heights;
+    if (has_water(first)) {
+        const Grid water = in_tile(*field_of(first.fields, "water_depth"));
+        for (std::size_t i = 0; i < surface.size(); ++i) surface.values()[i] += water.values()[i];
+    }
+    sea_ = sea_level(surface, depth, has_water(first) ? closed_depth(first.scale) : 0.0);
+    if (sea_) {
+        make_coast(first, outside, *sea_);
+        return;
+    }
     const SlopeByArea slopes(first.bed, first.nodata, dx, dy);
     const int margin = std::min(west_, south_);
     DrainedTile tile = drained_tile(relief_, slopes, relief, dx, dy, wander_share * margin);
     const Mask between = between_bed_and_plain(outside);
-    const Grid heights = in_tile(first.bed);
-    const Field<float> depth = distances_to(outside);
 
     double lowest = 1e300;
     double highest = -1e300;
@@ -96,6 +108,63 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
     const double needed = (highest - level_ - *std::ranges::min_element(frame)) / way;
     drain_between(own_, cells, dx, dy, least_fall,
                   std::max(steepest_share * slopes.hillslope(), needed));
+    downstream_ = route_flow(own_, {}, dx, dy).receiver;
+}
+
+/// Land goes on beyond the bed's edge with ridges and valleys, as far as it stands over the sea.
+void SurroundingPlain::make_coast(const Snapshot& first, const Mask& outside, double sea) {
+    const double dx = first.scale.dx;
+    const double dy = first.scale.dy;
+    const LandRelief wanted = relief_of(first.bed, first.nodata, dx, dy);
+    const SlopeByArea slopes(first.bed, first.nodata, dx, dy);
+    const double wander = wander_share * std::min(west_, south_);
+    const DrainedTile tile = drained_tile(relief_, slopes, wanted, dx, dy, wander);
+    const Mask between = between_bed_and_plain(outside);
+    const Grid heights = in_tile(first.bed);
+    const Field<float> within = distances_to(outside);
+    Mask inside(nx_, ny_);
+    double deep = 0.0;
+    std::size_t edge = 0;
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        inside.values()[i] = outside.values()[i] == 0 ? 1 : 0;
+        if (inside.values()[i] == 0 || within.values()[i] > 1.5F || heights.values()[i] > sea)
+            continue;
+        deep += sea - heights.values()[i];
+        ++edge;
+    }
+    if (edge > 0) deep /= static_cast<double>(edge);
+    const double least_fall = least_fall_share * wanted.gradient * std::min(dx, dy);
+    level_ = sea - deep - 4.0 * least_fall * (nx_ + ny_);
+
+    Field<LandCell> cells(nx_, ny_, LandCell::free);
+    Grid over(nx_, ny_);  // level_
+    double highest = 0.0;
+    double hills = 0.0;
+    for (std::size_t i = 0; i < over.size(); ++i) {
+        hills += tile.heights.values()[i] / static_cast<double>(over.size());
+        if (between.values()[i] == 0) cells.values()[i] = LandCell::known;
+        if (inside.values()[i] == 0) continue;
+        over.values()[i] = heights.values()[i] - level_;
+        if (within.values()[i] <= 1.5F) highest = std::max(highest, over.values()[i]);
+    }
+    lead_over(over, outside, between);
+    const Field<float> away = distances_to(inside);
+    own_ = heights;
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+        if (inside.values()[i] != 0) continue;
+        const double stands = level_ + over.values()[i] - sea;
+        const double begun =
+            smooth_step(0.0, coast_begins_within, static_cast<double>(away.values()[i]));
+        const double inland = smooth_step(0.0, std::max(hills, 1e-9), stands);
+        own_.values()[i] = level_ + over.values()[i] + begun * inland * tile.heights.values()[i];
+    }
+    const double way = clear_share * std::min(west_, south_) * std::min(dx, dy);
+    drain_between(own_, cells, dx, dy, least_fall,
+                  std::max(steepest_share * slopes.hillslope(), highest / way));
+    level_ = sea - deep;
+    std::ranges::fill(relief_.values(), 0.0);
+    for (std::size_t i = 0; i < own_.size(); ++i)
+        if (inside.values()[i] == 0) own_.values()[i] = std::max(own_.values()[i], level_);
     downstream_ = route_flow(own_, {}, dx, dy).receiver;
 }
 
@@ -199,7 +268,10 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, Snapshot& maps) const
     const auto share = [&](int x, int y) {
         return smooth_step(-ends_within, -0.5, -static_cast<double>(away(x, y)));
     };
-    set("water_depth", film, [&](int x, int y, double continued) {
+    const double far_depth = sea_ ? std::max(*sea_ - level_, film) : film;
+    set("water_depth", far_depth, [&](int x, int y, double continued) {
+        const double sea = sea_ ? *sea_ - maps.bed(x, y) : 0.0;
+        if (sea > film) return sea;
         return std::max(stream(x, y), std::lerp(film, std::max(continued, 0.0), share(x, y)));
     });
     const auto way = [&](int x, int y, bool east) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "base/grid.h"
 #include "base/snapshot.h"
@@ -30,6 +31,8 @@ bool is_bounded(const Snapshot& snapshot);
 /// leads valleys out from where the bed's water leaves. It is made of the first bed, so that a film
 /// shows one land; what changes at a bed's edge later goes on over it as a thin plate. Water
 /// that leaves the bed runs on along the valleys' beds; other ground is as damp as the edge is.
+/// Where the bed's edge lies in the sea (sea_level()), land ends in that sea all around, which goes
+/// on to the horizon: under water as deep as at the edge, on a dry bed as level ground.
 class SurroundingPlain {
   public:
     /// Of a bed, as it is shown.
@@ -70,6 +73,7 @@ class SurroundingPlain {
                      WorkerPool& pool);
 
     void make_land(const Snapshot& first, const Mask& outside);
+    void make_coast(const Snapshot& first, const Mask& outside, double sea);
     /// Fills in what is `between` in steps, so that slopes go on over some ten cells: the plate in
     /// tension gives them up within two of its own.
     void lead_over(Grid& tile, const Mask& outside, const Mask& between) const;
@@ -84,9 +88,10 @@ class SurroundingPlain {
     int west_;   ///< cells of the tile west of the bed
     int south_;  ///< and south of it
     double level_ = 0.0;
-    Grid relief_;     ///< of a tile of the plain alone
-    Grid roughness_;  ///< by which it is multiplied in the bed's tile
-    Grid own_;        ///< of drained land: the bed's tile with the first bed; else empty
+    std::optional<double> sea_;  ///< the height of its surface
+    Grid relief_;                ///< of a tile of the plain alone
+    Grid roughness_;             ///< by which it is multiplied in the bed's tile
+    Grid own_;                   ///< of drained land: the bed's tile with the first bed; else empty
     Field<std::int32_t> downstream_;  ///< of its cells, see FlowRouting
 };
 

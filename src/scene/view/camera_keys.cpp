@@ -54,11 +54,16 @@ void list_camera_keys(CameraSettings& camera, KeyTable& table) {
                 .help = "where the camera stands, clockwise from north"});
     table.real("camera.elevation", camera.elevation,
                {.unit = "degrees", .range = {1, 89.9}, .help = "above the horizon"});
-    table.word_or_real("camera.distance", camera.distance,
-                       {{"fit", "the whole block just fits the picture"}},
-                       {.unit = "block lengths",
-                        .range = {0.05, 100},
-                        .help = "from the block's centre, in units of its longer side"});
+    table.word_or_real(
+        "camera.distance", camera.distance,
+        {{"auto",
+          "as \"fit\"; where land is invented around the bed (look.ground), nearer: "
+          "the bed begins at the picture's lower edge or is as broad as the picture"},
+         {"fit", "the whole block just fits the picture"}},
+        {.unit = "block lengths",
+         .range = {0.05, 100},
+         .help = "from the block's centre, in units of its longer side",
+         .earlier = {"0.3.0", "\"fit\""}});
     table.real(
         "camera.field_of_view", camera.field_of_view,
         {.unit = "degrees", .range = {2, 120}, .help = "vertical, for the perspective camera"});

@@ -112,7 +112,7 @@ void list_surroundings_keys(LookSettings& look, KeyTable& table) {
         "look.tone", look.tone,
         {{Tone::automatic, "auto",
           "agx-punchy over endless ground and, with 0.35 stops more light, under the sky "
-          "\"atmosphere\", else filmic"},
+          "\"atmosphere\"; filmic over endless ground with look.cover, and else"},
          {Tone::automatic_0_2, "auto-0.2",
           "what auto was in version 0.2: agx-punchy over endless ground, else filmic"},
          {Tone::filmic, "filmic", "a curve fitted to the ACES rendering (Narkowicz 2015)"},
@@ -128,7 +128,7 @@ void list_surroundings_keys(LookSettings& look, KeyTable& table) {
         "look.contrast", look.contrast,
         {{"auto",
           "over endless ground 1.35, up to 1.8 with half a stop less light under a low sun, "
-          "but not of red sand, and 1.15 with look.cover = \"auto\"; else 1"}},
+          "but not of red sand, and 1.12 with 0.3 stops less with look.cover = \"auto\"; else 1"}},
         {.range = {0.2, 4},
          .help = "contrast of light before the tone curve: a power around middle grey"});
 }
@@ -146,7 +146,7 @@ void list_ground_keys(LookSettings& look, KeyTable& table) {
                   .earliest = {"0.2.0", "\"layers\""}});
     table.boolean("look.strata", look.strata,
                   {.help = "layers in steep ground and stones on it, which no data hold: a look, "
-                           "for blocks with water",
+                           "for blocks with water and for mountains on endless ground",
                    .earlier = {"0.3.0", "true"}});
     table.choice("look.sand", look.sand,
                  {{SandKind::quartz, "quartz", "golden, as most dunes are"},

@@ -18,10 +18,10 @@ enum class Framing { block, overview, low, along_crest, slip_face, aerial };
 struct CameraSettings {
     Projection projection = Projection::perspective;
     Framing framing = Framing::block;
-    double azimuth = 215.0;           ///< where the camera stands, degrees clockwise from north
-    double elevation = 32.0;          ///< degrees above the horizon
-    WordOrReal distance{"fit", 0.0};  ///< from the block's centre, in units of its longer side
-    double field_of_view = 28.0;      ///< vertical, degrees (perspective)
+    double azimuth = 215.0;            ///< where the camera stands, degrees clockwise from north
+    double elevation = 32.0;           ///< degrees above the horizon
+    WordOrReal distance{"auto", 0.0};  ///< from the block's centre, in units of its longer side
+    double field_of_view = 28.0;       ///< vertical, degrees (perspective)
     WordOrReal focal_length{"auto", 0.0};  ///< mm, of a lens before 36 × 24 mm (perspective)
     double roll = 0.0;                     ///< degrees to the right (perspective)
     double margin = 0.04;  ///< free border around the fitted block, share of the picture

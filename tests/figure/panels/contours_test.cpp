@@ -59,7 +59,9 @@ TEST(DrawnContours, WriteTheHeightsOfThickLinesIntoGapsOfThem) {
     const auto drawn = [](double level) {
         Canvas canvas(400, 200, 20.0);
         const std::vector<CanvasContour> lines{{level, {{10.0, 100.0}, {390.0, 100.0}}}};
-        draw_contours(canvas, {0.0, 0.0, 400.0, 200.0}, lines, 1.0);
+        const std::vector<CanvasBox> taken =
+            draw_contours(canvas, {0.0, 0.0, 400.0, 200.0}, lines, 1.0);
+        EXPECT_EQ(taken.size(), canvas.texts().size()) << "others keep away from labels";
         return std::pair(canvas.texts().size(), canvas.image());
     };
     const auto [thin_texts, thin] = drawn(4.0);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "support/repeated_dunes.h"
 
@@ -45,6 +47,34 @@ TEST(Framing, StandsOverTheGroundAndSeesTheHighestCrest) {
         EXPECT_NEAR(crest.x, 0.0, 1e-9);
         EXPECT_NEAR(crest.y, 0.0, 1e-9);
         EXPECT_LT(camera.forward.z, 0.2) << "looks at the bed";
+    }
+}
+
+TEST(Framing, StandsBeforeABedAroundWhichLandGoesOn) {
+    Snapshot bed = repeated_dunes(60, 40);
+    bed.periodic = false;
+    for (const double elevation : {3.0, 12.0, 32.0}) {
+        View view;
+        view.look.ground = Ground::endless;
+        view.camera.elevation = elevation;
+        const auto most_seen = [&](const Snapshot& first) {
+            const Block block = framed_block(view, first);
+            const Camera camera = camera_at_step(view, block, 0, 1);
+            double below = 1.0;
+            for (const glm::dvec2& corner : block.outline)
+                below = std::min(below, project(camera, glm::dvec3(corner, block.surface)).y);
+            return std::pair(below, glm::length(camera.eye));
+        };
+        const auto [lowest, distance] = most_seen(bed);
+        EXPECT_LT(lowest, -0.999) << "no invented land before it, at " << elevation;
+        view.camera.distance.word = "fit";
+        const auto [fitted, farther] = most_seen(bed);
+        EXPECT_GT(fitted, -0.999);
+        EXPECT_GT(farther, 1.1 * distance);
+        view.camera.distance.word = "auto";
+        bed.periodic = true;
+        EXPECT_EQ(most_seen(bed).second, farther) << "what repeats has no edge";
+        bed.periodic = false;
     }
 }
 

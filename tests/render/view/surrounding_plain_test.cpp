@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/snapshot_lookup.h"
 #include "base/worker_pool.h"
 #include "render/land/drained_land.h"
 #include "support/view_beds.h"
@@ -18,8 +19,8 @@ constexpr int bed_nx = 60;
 constexpr int bed_ny = 40;
 
 /// The maps of a bed in its plain, with what is known of where it lies.
-struct Maps {
-    explicit Maps(const Snapshot& bed, int workers = 1)
+struct PlainMaps {
+    explicit PlainMaps(const Snapshot& bed, int workers = 1)
         : pool(workers), plain(bed, pool), maps(plain.around(bed)) {
         nx = maps.bed.nx() / 2;
         ny = maps.bed.ny();
@@ -38,7 +39,7 @@ struct Maps {
 
 TEST(SurroundingPlain, LeavesTheBedAsItIs) {
     const Snapshot bed = wavy_bed(bed_nx, bed_ny);
-    const Maps in(bed);
+    const PlainMaps in(bed);
     EXPECT_TRUE(in.maps.periodic);
     EXPECT_TRUE(in.maps.nodata.empty());
     EXPECT_GE(in.west, 24);
@@ -58,7 +59,7 @@ double largest_step(const Grid& field, int x0, int x1, int y0, int y1) {
 
 TEST(SurroundingPlain, GoesOnWithoutAStepAndAsUneven) {
     const Snapshot bed = wavy_bed(bed_nx, bed_ny);
-    const Maps in(bed);
+    const PlainMaps in(bed);
     const double own = largest_step(bed.bed, 0, bed_nx - 1, 0, bed_ny);
     const int east = in.west + bed_nx;
     const int north = in.south + bed_ny;
@@ -79,7 +80,7 @@ TEST(SurroundingPlain, GoesOnWithoutAStepAndAsUneven) {
 TEST(SurroundingPlain, AFlatBedLiesInAFlatPlain) {
     Snapshot bed;
     bed.bed = Grid(30, 30, 7.5);
-    const Maps in(bed);
+    const PlainMaps in(bed);
     for (const double height : in.maps.bed.values()) ASSERT_NEAR(height, 7.5, 1e-9);
 }
 
@@ -88,7 +89,7 @@ TEST(SurroundingPlain, LiesAtTheEdgesLevel) {
     bed.bed = Grid(40, 40, 2.0);
     for (int y = 15; y < 25; ++y)
         for (int x = 15; x < 25; ++x) bed.bed(x, y) = 9.0;  // amid
-    const Maps in(bed);
+    const PlainMaps in(bed);
     double sum = 0.0;
     for (int y = 0; y < in.ny; ++y) sum += in.maps.bed(in.nx + 3, y);
     EXPECT_NEAR(sum / in.ny, 2.0, 0.5);
@@ -97,7 +98,7 @@ TEST(SurroundingPlain, LiesAtTheEdgesLevel) {
 TEST(SurroundingPlain, CoversCellsOutsideTheBed) {
     const Snapshot bed = masked_bed(bed_nx, bed_ny);
     EXPECT_TRUE(is_bounded(bed));
-    const Maps in(bed);
+    const PlainMaps in(bed);
     const auto [low, high] = std::ranges::minmax(in.maps.bed.values());
     EXPECT_GT(low, -10.0) << "of -9999 nothing is left";
     EXPECT_LT(high, 15.0);
@@ -107,7 +108,7 @@ TEST(SurroundingPlain, CoversCellsOutsideTheBed) {
 
 TEST(SurroundingPlain, IsTheSameForAnyNumberOfThreads) {
     const Snapshot bed = masked_bed(bed_nx, bed_ny);
-    EXPECT_EQ(Maps(bed, 1).maps.bed, Maps(bed, 3).maps.bed);
+    EXPECT_EQ(PlainMaps(bed, 1).maps.bed, PlainMaps(bed, 3).maps.bed);
 }
 
 /// A valley that descends southward between ridges, with a step of relief across.
@@ -124,12 +125,12 @@ Snapshot valley() {
     return land;
 }
 
-bool is_bed(const Maps& in, int x, int y) {
+bool is_bed(const PlainMaps& in, int x, int y) {
     return x >= in.west && x < in.west + bed_nx && y >= in.south && y < in.south + bed_ny;
 }
 
 TEST(SurroundingLand, HasNoClosedHollows) {
-    const Maps in(valley());
+    const PlainMaps in(valley());
     ASSERT_TRUE(in.plain.is_drained());
     int hollows = 0;
     for (int y = 1; y + 1 < in.ny; ++y) {
@@ -146,7 +147,7 @@ TEST(SurroundingLand, HasNoClosedHollows) {
 
 TEST(SurroundingLand, MeetsTheEdgeInHeightAndSlope) {
     const Snapshot bed = valley();
-    const Maps in(bed);
+    const PlainMaps in(bed);
     std::vector<double> across;  // what slopes change by from cell to cell at the edge
     const auto bend = [&](int x, int y, int east, int north) {
         const Grid& z = in.maps.bed;
@@ -177,13 +178,13 @@ TEST(SurroundingLand, MeetsTheEdgeInHeightAndSlope) {
 
 TEST(SurroundingLand, IsAsSteepAsTheBedAndTheSameForAnyNumberOfThreads) {
     const Snapshot bed = valley();
-    const Maps in(bed, 1);
+    const PlainMaps in(bed, 1);
     Grid far(in.nx, in.ny);
     for (int y = 0; y < in.ny; ++y)
         for (int x = 0; x < in.nx; ++x) far(x, y) = in.maps.bed(in.nx + x, y);
     const double own = mean_gradient(bed.bed, {}, 10.0, 10.0);
     EXPECT_NEAR(mean_gradient(far, {}, 10.0, 10.0), own, 0.25 * own);
-    EXPECT_EQ(in.maps.bed, Maps(bed, 2).maps.bed);
+    EXPECT_EQ(in.maps.bed, PlainMaps(bed, 2).maps.bed);
 }
 
 /// The sharpest bend of rows and columns, from cell to cell.
@@ -201,14 +202,14 @@ double sharpest_bend(const Grid& land, const Mask& without) {
 }
 
 /// The bed's tile or, `first` a tile's width, the plain's.
-Grid tile_from(const Maps& in, int first) {
+Grid tile_from(const PlainMaps& in, int first) {
     Grid tile(in.nx, in.ny);
     for (int y = 0; y < in.ny; ++y)
         for (int x = 0; x < in.nx; ++x) tile(x, y) = in.maps.bed(first + x, y);
     return tile;
 }
 
-Mask surveyed(const Maps& in) {
+Mask surveyed(const PlainMaps& in) {
     Mask cells(in.nx, in.ny);
     for (int y = 0; y < in.ny; ++y)
         for (int x = 0; x < in.nx; ++x) cells(x, y) = is_bed(in, x, y) ? 1 : 0;
@@ -216,7 +217,7 @@ Mask surveyed(const Maps& in) {
 }
 
 TEST(SurroundingLand, MeetsThePlainWithoutATrench) {
-    const Maps in(valley());
+    const PlainMaps in(valley());
     EXPECT_LT(sharpest_bend(tile_from(in, 0), surveyed(in)),
               1.5 * sharpest_bend(tile_from(in, in.nx), {}));
 }
@@ -225,7 +226,7 @@ TEST(SurroundingLand, FallsFromHighRimsNoMoreSteeplyThanTheBed) {
     Snapshot bed = valley();
     for (int y = 0; y < bed_ny; ++y)
         for (int x = 0; x < bed_nx; ++x) bed.bed(x, y) += 4.0 * y;
-    const Maps in(bed);
+    const PlainMaps in(bed);
     EXPECT_LT(mean_gradient(tile_from(in, 0), surveyed(in), 10.0, 10.0),
               1.25 * mean_gradient(bed.bed, {}, 10.0, 10.0));
 }
@@ -235,13 +236,13 @@ TEST(SurroundingLand, HasNoCliffWhereASmoothSlopeComesDownToThePlain) {
     for (int y = 0; y < bed_ny; ++y)
         for (int x = 0; x < bed_nx; ++x)
             bed.bed(x, y) = x < 45 ? 60.0 : 60.0 - 4.0 * (x - 45) + 0.5 * std::sin(0.9 * y);
-    const Maps in(bed);
+    const PlainMaps in(bed);
     EXPECT_LT(sharpest_bend(tile_from(in, 0), surveyed(in)), 30.0);
 }
 
 TEST(SurroundingLand, StaysInAFilmOfABedThatChanges) {
     const Snapshot first = valley();
-    const Maps in(first);
+    const PlainMaps in(first);
     Snapshot later = first;
     later.bed(30, 20) -= 2.0;  // amid: nothing changes at the edge
     const Grid changed = in.plain.around(later).bed;
@@ -260,7 +261,7 @@ TEST(SurroundingLand, LetsTheStreamRunOnFromTheRimAndKeepsOtherGroundAsDamp) {
     bed.fields = {{"water_depth", "", "m", depth},
                   {"velocity_x", "", "m/s", Grid(bed_nx, bed_ny)},
                   {"velocity_y", "", "m/s", Grid(bed_nx, bed_ny, -1.0)}};
-    const Maps in(bed);
+    const PlainMaps in(bed);
     const Grid& water = in.maps.fields.front().values;
     EXPECT_EQ(water(in.west + 30, in.south + 5), 0.5);
     int streams = 0;
@@ -272,9 +273,108 @@ TEST(SurroundingLand, LetsTheStreamRunOnFromTheRimAndKeepsOtherGroundAsDamp) {
 
     // Early in a run the water has not reached the rim, so that nothing runs beyond it.
     for (int y = 0; y < 5; ++y) bed.fields.front().values(30, y) = 0.002;
-    const Maps early(bed);
+    const PlainMaps early(bed);
     for (int x = 0; x < in.nx; ++x)
         ASSERT_LT(early.maps.fields.front().values(x, in.south - 8), 0.5);
+}
+
+/// Land that falls eastward to the sea, whose floor goes on falling under water of `deepest`.
+Snapshot coast(double deepest) {
+    Snapshot land = valley();
+    Grid depth(bed_nx, bed_ny);
+    for (int y = 0; y < bed_ny; ++y) {
+        for (int x = 0; x < bed_nx; ++x) {
+            const double ground =
+                4.0 * (35.0 - x) + 6.0 * std::sin(0.5 * y) + 3.0 * std::sin(0.7 * x);
+            land.bed(x, y) = std::max(ground, -deepest);
+            depth(x, y) = std::max(-land.bed(x, y), 0.0);
+        }
+    }
+    if (deepest == 0.0) return land;
+    land.landform = Landform::water;
+    land.fields = {{"water_depth", "", "m", depth},
+                   {"velocity_x", "", "m s-1", Grid(bed_nx, bed_ny)},
+                   {"velocity_y", "", "m s-1", Grid(bed_nx, bed_ny)}};
+    return land;
+}
+
+TEST(SurroundingLand, EndsInTheSeaThatTheSurveyEndsIn) {
+    const Snapshot bed = coast(0.0);
+    const PlainMaps in(bed);
+    const double step = largest_step(bed.bed, 0, bed_nx - 1, 0, bed_ny);
+    EXPECT_LT(largest_step(in.maps.bed, in.west - 1, in.west, in.south, in.south + bed_ny),
+              2.0 * step);
+    for (int y = 0; y < in.ny; ++y) {
+        for (int x = 0; x < in.nx; ++x) {
+            ASSERT_GE(in.maps.bed(x, y), 0.0);
+            ASSERT_EQ(in.maps.bed(in.nx + x, y), 0.0);
+        }
+        ASSERT_EQ(in.maps.bed(0, y), 0.0) << "the tiles meet";
+    }
+    for (int y = in.south + 5; y < in.south + bed_ny - 5; ++y) {
+        EXPECT_EQ(in.maps.bed(in.west + bed_nx + 4, y), 0.0);
+        EXPECT_GT(in.maps.bed(in.west - 4, y), 50.0);
+    }
+}
+
+TEST(SurroundingLand, HasWaterOfOneLevelInTheSea) {
+    const PlainMaps in(coast(8.0));
+    const Grid* depth = field_of(in.maps.fields, "water_depth");
+    ASSERT_NE(depth, nullptr);
+    for (int y = 0; y < in.ny; ++y) {
+        for (int x = 0; x < in.nx; ++x) {
+            if (in.maps.bed(x, y) < -0.1) {
+                ASSERT_NEAR(in.maps.bed(x, y) + (*depth)(x, y), 0.0, 1e-9);
+            }
+            ASSERT_NEAR((*depth)(in.nx + x, y), 8.0, 4.0);
+        }
+    }
+}
+
+TEST(SurroundingLand, TakesNoRowOfEqualHeightsForTheSea) {
+    Snapshot bed = valley();
+    for (int x = 0; x < bed_nx; ++x) bed.bed(x, 0) = -2.0;
+    const PlainMaps in(bed);
+    const Grid far = tile_from(in, in.nx);
+    const auto [low, high] = std::ranges::minmax(far.values());
+    EXPECT_GT(high - low, 5.0);
+}
+
+constexpr int foot_cells = 100;
+
+/// A cone with a crater, whose feet end at four sides and, lower, at the corners.
+Snapshot volcano() {
+    Snapshot land = valley();
+    land.scale.dx = land.scale.dy = 80.0;
+    land.bed = Grid(foot_cells, foot_cells);
+    for (int y = 0; y < foot_cells; ++y) {
+        for (int x = 0; x < foot_cells; ++x) {
+            const double east = 80.0 * (x - 49.5);
+            const double north = 80.0 * (y - 49.5);
+            const double away = std::hypot(east, north);
+            const double crater = away < 400.0 ? -160.0 * (1.0 - away * away / 160000.0) : 0.0;
+            land.bed(x, y) = 1500.0 * std::exp(-away / 1500.0) + crater +
+                             8.0 * std::sin(1.1 * x + 0.4 * y) * std::sin(1.3 * y);
+        }
+    }
+    return land;
+}
+
+TEST(SurroundingLand, HasNoWallAroundALoneMountain) {
+    const Snapshot bed = volcano();
+    const PlainMaps in(bed);
+    double worst = 0.0;
+    const auto see = [&](int x, int y, int u, int v) {
+        worst = std::max(worst, std::abs(in.maps.bed(x, y) - in.maps.bed(x + u, y + v)));
+    };
+    for (int i = 0; i < foot_cells; ++i) {
+        see(in.west, in.south + i, -1, 0);
+        see(in.west + foot_cells - 1, in.south + i, 1, 0);
+        see(in.west + i, in.south, 0, -1);
+        see(in.west + i, in.south + foot_cells - 1, 0, 1);
+    }
+    const double own = largest_step(bed.bed, 0, 10, 0, foot_cells);
+    EXPECT_LT(worst, 3.0 * own) << "its summit does not lift the land beyond its feet";
 }
 
 TEST(SurroundingPlain, TellsInventedGroundFromTheBedAndItsMaskedCells) {
@@ -282,7 +382,7 @@ TEST(SurroundingPlain, TellsInventedGroundFromTheBedAndItsMaskedCells) {
     bed.nodata = Mask(bed_nx, bed_ny, 0);
     for (int y = 0; y < bed_ny; ++y)
         for (int x = 40; x < bed_nx; ++x) bed.nodata(x, y) = 1;
-    const Maps in(bed);
+    const PlainMaps in(bed);
     const Field<std::uint8_t> share = in.plain.invented_share(bed);
     ASSERT_EQ(share.nx(), 2 * in.nx);
     EXPECT_EQ(share(in.west + 39, in.south + 20), 0);
