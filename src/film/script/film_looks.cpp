@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -56,8 +58,14 @@ void size_lists(Scene& scene, const std::vector<Override>& looks) {
     }
 }
 
-/// What of a look a film takes from the run alone.
+/// What of a look a film takes from the run or from its shots alone.
 std::string_view why_not(const std::string& path) {
+    constexpr std::array of_shots{"projection", "framing", "distance", "roll",
+                                  "at",         "look_at", "turn"};
+    const bool of_camera = path.starts_with("camera.");
+    if (of_camera && std::ranges::find(of_shots, path.substr(path.find('.') + 1)) != of_shots.end())
+        return "its shots say where the camera stands, by [[shot]] move, distance, subject and "
+               "[[shot.key]]";
     if (path.starts_with("look.drape"))
         return "a drape is one of the run's own files; give it to the run's scene";
     if (path == "look.mode") return "a film shows the view in perspective";
@@ -96,6 +104,20 @@ void put(std::vector<Override>& looks, Override setting) {
     looks.insert(place, std::move(setting));
 }
 
+/// Where a layer's file lies, which a film names as seen from its own folder. Others may have
+/// written the film that a movie holds: no file that it names is read.
+void find_layer_file(LayerSettings& layer, const Override& setting) {
+    const std::filesystem::path film(setting.place);
+    if (setting.place.starts_with("--set") || layer.file.empty()) return;
+    if (film.extension() != ".toml" && film.has_extension()) {
+        throw InputError(
+            fmt::format("{}: {}: a film within a movie or picture reads no files; write "
+                        "it to a film file of your own",
+                        setting.place, setting.path));
+    }
+    layer.file = std::filesystem::absolute(film.parent_path() / layer.file).string();
+}
+
 /// The settings as sections of a film, each under a header of its own.
 std::string sections_of(const std::vector<Override>& looks, const std::string& owner) {
     std::map<std::pair<std::string, std::size_t>, std::string> sections;  // by name and item
@@ -118,8 +140,8 @@ std::string sections_of(const std::vector<Override>& looks, const std::string& o
 }  // namespace
 
 const std::vector<std::string>& film_look_sections() {
-    static const std::vector<std::string> sections{"look",      "sun",    "air",
-                                                   "streamers", "person", "track"};
+    static const std::vector<std::string> sections{"camera",    "look",   "sun",   "air",
+                                                   "streamers", "person", "track", "layer"};
     return sections;
 }
 
@@ -230,6 +252,8 @@ Scene with_looks(Scene scene, const std::vector<Override>& looks) {
                [&](const auto& region) { return read.locate(region); });
         scene.locations[setting.path] = read.locate(read.value().source());
         given.insert(setting.path);
+        if (setting.path.starts_with("layer.") && setting.path.ends_with(".file"))
+            find_layer_file(scene.view.layers[std::stoul(setting.path.substr(6))], setting);
     }
     SunSettings& sun = scene.view.sun;
     if (given.contains("sun.azimuth") || given.contains("sun.elevation")) {
