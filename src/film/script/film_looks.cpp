@@ -58,12 +58,19 @@ void size_lists(Scene& scene, const std::vector<Override>& looks) {
     }
 }
 
+/// Whether a key of the camera is left to the shots.
+bool is_of_shots(const std::string& path) {
+    constexpr std::array keys{"camera.projection", "camera.framing", "camera.distance",
+                              "camera.roll",       "camera.at",      "camera.look_at",
+                              "camera.turn"};
+    return std::ranges::any_of(keys, [&](const char* key) {
+        return path == key || path.starts_with(std::string(key) + ".");
+    });
+}
+
 /// What of a look a film takes from the run or from its shots alone.
 std::string_view why_not(const std::string& path) {
-    constexpr std::array of_shots{"projection", "framing", "distance", "roll",
-                                  "at",         "look_at", "turn"};
-    const bool of_camera = path.starts_with("camera.");
-    if (of_camera && std::ranges::find(of_shots, path.substr(path.find('.') + 1)) != of_shots.end())
+    if (is_of_shots(path))
         return "its shots say where the camera stands, by [[shot]] move, distance, subject and "
                "[[shot.key]]";
     if (path.starts_with("look.drape"))
