@@ -139,6 +139,19 @@ TEST(FilmLooks, LayersAreDrawnOverTheGroundInAFilmOrAShot) {
               "f.toml:8:9: layer.0.label is \"name\"; this layer has the label \"height\" alone");
 }
 
+TEST(FilmLooks, ALayersFileLiesBesideTheFilm) {
+    const auto refusal = [](const std::string& source) {
+        const Film film = parse_film("[[layer]]\nfile = \"none.geojson\"\n[[shot]]\n", source);
+        return message_of<InputError>(
+            [&] { make_stage(film, looked_runs().first(), film_size(film)); });
+    };
+    EXPECT_NE(refusal("/films/f.toml").find("/films/none.geojson"), std::string::npos)
+        << refusal("/films/f.toml");
+    EXPECT_EQ(refusal("/films/f.mp4"),
+              "/films/f.mp4:2: layer.0.file: a film within a movie or picture reads no files; "
+              "write it to a film file of your own");
+}
+
 TEST(FilmLooks, ContoursHoldOneIntervalOverAFilm) {
     const ScratchFolder folder;
     const FilmRuns runs = run_of(folder, 100);

@@ -114,8 +114,8 @@ void put(std::vector<Override>& looks, Override setting) {
 /// Where a layer's file lies, which a film names as seen from its own folder. Others may have
 /// written the film that a movie holds: no file that it names is read.
 void find_layer_file(LayerSettings& layer, const Override& setting) {
-    const std::filesystem::path film(setting.place);
     if (setting.place.starts_with("--set") || layer.file.empty()) return;
+    const std::filesystem::path film(setting.place.substr(0, setting.place.rfind(':')));
     if (film.extension() != ".toml" && film.has_extension()) {
         throw InputError(
             fmt::format("{}: {}: a film within a movie or picture reads no files; write "
