@@ -10,6 +10,7 @@
 #include "figure/canvas/canvas.h"
 #include "figure/overlays/overlay_plot.h"
 #include "film/script/film_looks.h"
+#include "numerics/contour_lines.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
 #include "render/view/water.h"
@@ -150,6 +151,7 @@ std::set<FilmPainter::Moment> FilmPainter::shown_moments() const {
 void FilmPainter::fix_ranges(const std::set<Moment>& shown) {
     note_jumps(shown);
     fix_colours(shown);
+    fix_contours(shown);
     fix_plots(shown);
 }
 
@@ -180,6 +182,36 @@ void FilmPainter::fix_colours(const std::set<Moment>& shown) {
         look.high = high;
     }
     if (watery && clarity > 0.0) look.water_clarity = clarity;
+}
+
+/// Of contours whose interval is "auto": a round one for all beds, since with one of each bed's own
+/// lines would jump from frame to frame.
+void FilmPainter::fix_contours(const std::set<Moment>& shown) {
+    View& view = stage_.scene.view;
+    const auto is_auto = [](const LayerSettings& layer) {
+        return layer.data == LayerData::contours && layer.interval.is_word();
+    };
+    const bool of_look = view.look.contours.word == "auto";
+    if (!of_look && !std::ranges::any_of(view.layers, is_auto)) return;
+    double low = INFINITY;
+    double high = -INFINITY;
+    for (const Moment& moment : shown) {
+        for (std::size_t run = 0; run < panes_.size(); ++run) {
+            const auto bed = panes_[run].beds->heights(bed_of(run, moment));
+            const double unit = bed->scale.in_metres ? bed->scale.height_unit : 1.0;
+            for (std::size_t i = 0; i < bed->bed.size(); ++i) {
+                if (!bed->nodata.empty() && bed->nodata.values()[i] != 0) continue;
+                low = std::min(low, unit * bed->bed.values()[i]);
+                high = std::max(high, unit * bed->bed.values()[i]);
+            }
+        }
+    }
+    if (!(low < high)) return;
+    const double interval = contour_interval(low, high);
+    if (of_look) view.look.contours = interval;
+    for (LayerSettings& layer : view.layers)
+        if (is_auto(layer)) layer.interval = interval;
+    for (Pane& pane : panes_) pane.scene.view.layers = view.layers;
 }
 
 void FilmPainter::fix_plots(const std::set<Moment>& shown) {

@@ -105,6 +105,7 @@ class FilmPainter : public FilmFrames {
     void fix_ranges(const std::set<Moment>& shown);
     void note_jumps(const std::set<Moment>& shown);
     void fix_colours(const std::set<Moment>& shown);
+    void fix_contours(const std::set<Moment>& shown);
     void fix_plots(const std::set<Moment>& shown);
     void place_overlays(const FilmSize& size);
     [[nodiscard]] std::vector<PictureRequest> pictures_of(std::int64_t frame) const;

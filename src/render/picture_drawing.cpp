@@ -19,8 +19,8 @@ PictureDrawing::PictureDrawing(RendererState& state, const ReadyPicture& picture
         reference_ = FrameSetting::shown_first(drawable(*picture.pose.reference), s.view);
     if (reference_ && s.plain)
         reference_ = s.plain->is_drained()
-                         ? s.plain->around(*reference_)
-                         : SurroundingPlain(*reference_, s.pool).around(*reference_);
+                         ? s.plain->around(*reference_, s.pool)
+                         : SurroundingPlain(*reference_, s.pool).around(*reference_, s.pool);
     const bool held = s.uploaded == picture.lit && !reference_;
     fresh_ = !held || !s.world;
     s.uploaded = reference_ ? nullptr : picture.lit;

@@ -36,14 +36,14 @@ std::shared_ptr<const LitBed> RendererState::lit_bed(const ReadyPicture& picture
     lit->sun = sun;
     if (world) {
         if (plain)
-            lit->in_plain = plain->is_drained() ? plain->around(shown)
-                                                : SurroundingPlain(shown, with).around(shown);
+            lit->in_plain = plain->is_drained() ? plain->around(shown, with)
+                                                : SurroundingPlain(shown, with).around(shown, with);
         if (plain && water) {
             lit->water_tile = plain->own_tile(*lit->in_plain);
             lit->water_tile->rain = plain->rain_over_tile(shown);
         }
         const Block framed = plain ? plain->ground_of(picture.framed) : picture.framed;
-        if (water) lit->water = display_water(plain ? *lit->water_tile : shown, refinement);
+        if (water) lit->water = display_water(plain ? *lit->water_tile : shown, refinement, with);
         const Snapshot& ground = plain ? *lit->in_plain : shown;
         lit->light = repeated_light(water ? with_water_level(ground) : ground, framed, refinement,
                                     origin, sun, prevailing_direction(shown), with);
@@ -57,7 +57,7 @@ std::shared_ptr<const LitBed> RendererState::lit_bed(const ReadyPicture& picture
             lit->texels = lighting_texels(lit->bed, sun, with);
             return lit;
         }
-        lit->water = display_water(shown, refinement);
+        lit->water = display_water(shown, refinement, with);
         // Light falls on the water: what lies deep in it is not in the shadow of its own hollow.
         const Field<float> surface = surface_of(lit->bed, *lit->water, shown);
         const float dx = lit->bed.dx;

@@ -8,6 +8,7 @@
 #include "base/snapshot.h"
 #include "render/ground/ground_fan.h"
 #include "render/ground/height_pyramid.h"
+#include "render/light/light_texels.h"
 #include "render/light/repeated_light.h"
 #include "render/light/sun_sweep.h"
 #include "render/renderer.h"
@@ -23,7 +24,7 @@ struct LitBed {
     std::shared_ptr<const Snapshot> snapshot;
     SunDirection sun;
     DisplayBed bed;                      ///< of a block
-    std::vector<std::uint16_t> texels;   ///< likewise, see lighting_texels()
+    LightTexels texels;                  ///< likewise, see lighting_texels()
     std::optional<DisplayWater> water;   ///< where it is drawn: of a block, or of `water_tile`
     RepeatedLight light;                 ///< of endless ground, without its heights
     std::optional<Snapshot> in_plain;    ///< the bed as the ground's maps hold it, where it ends

@@ -28,6 +28,7 @@ std::vector<std::string> looks_in(const std::vector<std::string>& settings) {
     std::vector<std::string> looks;
     for (const std::string& setting : settings) {
         const std::string section = setting.substr(0, setting.find('.'));
+        if (section == "camera") continue;  // its shots say where that stands
         if (std::ranges::find(sections, section) != sections.end()) looks.push_back(setting);
     }
     return looks;

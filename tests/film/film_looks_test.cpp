@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "base/error.h"
 #include "film/film_of_looks.h"
 #include "film/film_read.h"
 #include "film/joined_film.h"
+#include "numerics/contour_lines.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 
@@ -52,29 +55,34 @@ TEST(FilmLooks, RefusesWhatNoSceneCouldHave) {
               "files; give it to the run's scene");
     EXPECT_EQ(looks_refusal("[[shot]]\n", {"shot.2.look.exposure=1"}),
               "--set 1: shot.2.look.exposure: the film has 1 shots, counted from 0");
-    EXPECT_TRUE(looks_refusal("[[shot]]\n", {"camera.azimuth=20"}).find("unknown key") !=
-                std::string::npos);
+    EXPECT_EQ(looks_refusal("[[shot]]\n", {"camera.roll=20"}),
+              "--set 1:1: camera.roll cannot be changed in a film: its shots say where the camera "
+              "stands, by [[shot]] move, distance, subject and [[shot.key]]");
+}
+
+FilmRuns run_of(const ScratchFolder& folder, int steps) {
+    test::write_text(folder / "scene.toml", test::small_scene());
+    fumon({"run", "scene.toml", "-o", "out", "--quiet", "--set", fmt::format("run.steps={}", steps),
+           "--set", fmt::format("output.fields_every={}", steps / 4), "--set", "look.ground=table",
+           "--set", "look.light=sun", "--set", "sun.elevation=30", "--set", "output.frames=false",
+           "--set", "output.movie=false"},
+          folder.path());
+    return FilmRuns({(folder / "out").string()}, 1);
 }
 
 /// A run of the small scene that stored some beds, made once.
 const FilmRuns& looked_runs() {
     static const ScratchFolder folder;
-    static const FilmRuns runs = [] {
-        test::write_text(folder / "scene.toml", test::small_scene());
-        fumon({"run", "scene.toml", "-o", "out", "--quiet", "--set", "output.fields_every=5",
-               "--set", "look.ground=table", "--set", "look.light=sun", "--set", "sun.elevation=30",
-               "--set", "output.frames=false", "--set", "output.movie=false"},
-              folder.path());
-        return FilmRuns({(folder / "out").string()}, 1);
-    }();
+    static const FilmRuns runs = run_of(folder, 20);
     return runs;
 }
 
-Image frame_of_film(const std::string& shots, std::int64_t frame) {
+Image frame_of_film(const std::string& shots, std::int64_t frame,
+                    const FilmRuns& runs = looked_runs()) {
     const Film film = parse_film(
         "[film]\nwidth = 64\nheight = 48\nrate = 5\nsupersampling = 1\n" + shots, "f.toml");
     WorkerPool pool(1);
-    return film_frames(film, looked_runs(), {}, gl::Backend::automatic, pool)->paint(frame);
+    return film_frames(film, runs, {}, gl::Backend::automatic, pool)->paint(frame);
 }
 
 TEST(FilmLooks, ShotsAreDrawnAsAWholeFilmOfThatLook) {
@@ -102,6 +110,73 @@ TEST(FilmLooks, ACrossFadeMixesBoth) {
         const int least = std::min(one.rgb[i], other.rgb[i]) - 20;
         ASSERT_TRUE(faded.rgb[i] <= most && faded.rgb[i] >= least) << i;
     }
+}
+
+TEST(FilmLooks, ALensIsThatOfTheFilmOrOfAShot) {
+    const std::string wide = "camera.field_of_view = 60\n";
+    const std::string shots = "[[shot]]\nseconds = 1\n[[shot]]\nseconds = 1\n";
+    const Image plain = frame_of_film(shots, 7);
+    const Image of_shot = frame_of_film(shots + wide, 7);
+    EXPECT_EQ(frame_of_film(shots + wide, 2), frame_of_film(shots, 2)) << "the first shot";
+    EXPECT_NE(of_shot, plain);
+    EXPECT_EQ(of_shot, frame_of_film("[camera]\nfield_of_view = 60\n" + shots, 7));
+    EXPECT_EQ(frame_of_film(shots + "focal_length = 50\n", 7),
+              frame_of_film(shots + "focal_length = 50\n" + wide, 7))
+        << "the shot's own key for it";
+}
+
+TEST(FilmLooks, LayersAreDrawnOverTheGroundInAFilmOrAShot) {
+    const std::string shots = "[[shot]]\nseconds = 1\n[[shot]]\nseconds = 1\n";
+    const std::string lines = "data = \"contours\"\ncolour = \"#ff0000\"\nhidden = \"show\"\n";
+    const Image plain = frame_of_film(shots, 7);
+    const Image drawn = frame_of_film("[[layer]]\n" + lines + shots, 7);
+    EXPECT_NE(drawn, plain);
+    EXPECT_EQ(frame_of_film(shots + "[[shot.layer]]\n" + lines, 7), drawn);
+    EXPECT_EQ(frame_of_film(shots + "[[shot.layer]]\n" + lines, 2), frame_of_film(shots, 2));
+    EXPECT_EQ(message_of<InputError>([&] {
+                  frame_of_film("[[layer]]\ndata = \"contours\"\nlabel = \"name\"\n" + shots, 0);
+              }),
+              "f.toml:8:9: layer.0.label is \"name\"; this layer has the label \"height\" alone");
+}
+
+TEST(FilmLooks, ALayersFileLiesBesideTheFilm) {
+    const auto refusal = [](const std::string& source) {
+        const Film film = parse_film("[[layer]]\nfile = \"none.geojson\"\n[[shot]]\n", source);
+        return message_of<InputError>(
+            [&] { make_stage(film, looked_runs().first(), film_size(film)); });
+    };
+    EXPECT_NE(refusal("/films/f.toml").find("/films/none.geojson"), std::string::npos)
+        << refusal("/films/f.toml");
+    EXPECT_EQ(refusal("/films/f.mp4"),
+              "/films/f.mp4:2: layer.0.file: a film within a movie or picture reads no files; "
+              "write it to a film file of your own");
+}
+
+TEST(FilmLooks, ContoursHoldOneIntervalOverAFilm) {
+    const ScratchFolder folder;
+    const FilmRuns runs = run_of(folder, 100);
+    const StoredBeds& beds = runs.first();
+    const auto range_of = [](const Grid& bed) {
+        return std::pair(std::ranges::min(bed.values()), std::ranges::max(bed.values()));
+    };
+    auto [low, high] = range_of(beds.first().bed);
+    const double of_first = contour_interval(low, high);
+    for (std::size_t number = 0; number < beds.beds().size(); ++number) {
+        const auto [least, most] = range_of(beds.snapshot(number)->bed);
+        low = std::min(low, least);
+        high = std::max(high, most);
+    }
+    const double of_all = contour_interval(low, high);
+    ASSERT_NE(of_first, of_all);
+    const auto first_frame = [&](const std::string& interval) {
+        return frame_of_film(
+            "[[shot]]\nfrom = \"start\"\nto = \"end\"\nseconds = 2\n[[layer]]\n"
+            "data = \"contours\"\nhidden = \"show\"\ninterval = " +
+                interval + "\n",
+            0, runs);
+    };
+    EXPECT_EQ(first_frame("\"auto\""), first_frame(fmt::format("{}", of_all)));
+    EXPECT_NE(first_frame("\"auto\""), first_frame(fmt::format("{}", of_first)));
 }
 
 TEST(FilmLooks, FitTheRun) {

@@ -48,16 +48,17 @@ class ShotPoses {
           bed_(*first_) {
         const Shot& shot = shot_;
         const View& view = beds.scene().view;
-        azimuth_ = chosen(shot.azimuth, view.camera.azimuth);
-        asked_elevation_ = chosen(shot.elevation, std::min(view.camera.elevation, 89.0));
+        const CameraSettings& camera = stage.scene.view.camera;
+        azimuth_ = chosen(shot.azimuth, camera.azimuth);
+        asked_elevation_ = chosen(shot.elevation, std::min(camera.elevation, 89.0));
         elevation_ = composed(asked_elevation_, stage.aspect);
         breadth_ = 0.25 * std::min(stage.block.width_x, stage.block.width_y);
         subject_ = place_of(shot.subject, {0.0, 0.0, stage.block.surface}, breadth_);
-        const double half_angle = 0.5 * view.camera.field_of_view * degree;
+        const double half_angle = 0.5 * camera.field_of_view * degree;
         const double usual_lens =
-            view.camera.focal_length.is_word()
+            camera.focal_length.is_word()
                 ? half_film_millimetres * elementary::cos(half_angle) / elementary::sin(half_angle)
-                : view.camera.focal_length.value;
+                : camera.focal_length.value;
         usual_.focal_length = chosen(shot.focal_length, usual_lens);
         const SunSettings& sun = stage.scene.view.sun;
         usual_.sun_azimuth = chosen(shot.sun_azimuth, sun.azimuth);

@@ -7,23 +7,42 @@
 #include <optional>
 
 #include "base/error.h"
+#include "drape/lay_layers.h"
 #include "film/script/film_looks.h"
+#include "render/view/bilinear_height.h"
 #include "render/view/framing.h"
 #include "render/view/ground_choice.h"
 #include "render/view/shown_snapshot.h"
+#include "scene/initial_bed.h"
 
 namespace fumon {
 
 namespace {
 
-/// The height of the cell that holds a place of the block.
+/// The height of the cell that holds a place of the block, or of the nearest one with data.
 double ground_at(const FilmStage& stage, const Snapshot& bed, double x, double y) {
     const auto cell = [&](double place, int count) {
         const int index = static_cast<int>(std::floor(std::clamp(place, -1e8, 1e8)));
         return bed.periodic ? ((index % count) + count) % count : std::clamp(index, 0, count - 1);
     };
-    return bed.bed(cell((x / stage.block.width_x + 0.5) * bed.bed.nx(), bed.bed.nx()),
+    const auto [column, row] =
+        known_cell(bed.nodata, cell((x / stage.block.width_x + 0.5) * bed.bed.nx(), bed.bed.nx()),
                    cell((y / stage.block.width_y + 0.5) * bed.bed.ny(), bed.bed.ny()));
+    return bed.bed(column, row);
+}
+
+/// Lays the film's own layers over the run's bed.
+void lay_layers_of(const Film& film, const StoredBeds& beds, const std::vector<Override>& looks,
+                   Scene& scene) {
+    const auto of_layers = [](const Override& setting) {
+        return setting.path.starts_with("layer.");
+    };
+    if (!std::ranges::any_of(film.looks, of_layers) && !std::ranges::any_of(looks, of_layers))
+        return;
+    InitialBed ground;
+    ground.bed = beds.first().bed;
+    ground.scale = beds.first().scale;
+    lay_layers(scene, ground);
 }
 
 }  // namespace
@@ -31,6 +50,7 @@ double ground_at(const FilmStage& stage, const Snapshot& bed, double x, double y
 FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& size,
                      const std::vector<Override>& looks) {
     FilmStage stage{with_looks(with_looks(beds.scene(), film.looks), looks), {}};
+    lay_layers_of(film, beds, looks, stage.scene);
     View& view = stage.scene.view;
     if (view.look.mode == ViewMode::figure && beds.first().section) {
         throw InputError(

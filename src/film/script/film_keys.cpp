@@ -354,9 +354,9 @@ std::string describe_film(const std::string& part) {
     return "Keys of a film, for `fumon film`. N counts its [[shot]], [[shot.key]], [[excerpt]],\n"
            "[[card]] and [[caption]] sections from 0; [[overlay]] takes the keys of `fumon "
            "describe "
-           "overlay`.\nThe film, and each shot, may also have a scene's sections [look], [sun], "
-           "[air], [streamers],\n[[person]] and [[track]] ([shot.look] for a shot): the keys that "
-           "differ from the run's own\n\n" +
+           "overlay`.\nThe film, and each shot, may also have a scene's sections [camera] (its "
+           "lens), [look], [sun],\n[air], [streamers], [[person]], [[track]] and [[layer]] "
+           "([shot.look] for a shot): the keys that\ndiffer from the run's own\n\n" +
            keys;
 }
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -56,8 +58,21 @@ void size_lists(Scene& scene, const std::vector<Override>& looks) {
     }
 }
 
-/// What of a look a film takes from the run alone.
+/// Whether a key of the camera is left to the shots.
+bool is_of_shots(const std::string& path) {
+    constexpr std::array keys{"camera.projection", "camera.framing", "camera.distance",
+                              "camera.roll",       "camera.at",      "camera.look_at",
+                              "camera.turn"};
+    return std::ranges::any_of(keys, [&](const char* key) {
+        return path == key || path.starts_with(std::string(key) + ".");
+    });
+}
+
+/// What of a look a film takes from the run or from its shots alone.
 std::string_view why_not(const std::string& path) {
+    if (is_of_shots(path))
+        return "its shots say where the camera stands, by [[shot]] move, distance, subject and "
+               "[[shot.key]]";
     if (path.starts_with("look.drape"))
         return "a drape is one of the run's own files; give it to the run's scene";
     if (path == "look.mode") return "a film shows the view in perspective";
@@ -96,6 +111,20 @@ void put(std::vector<Override>& looks, Override setting) {
     looks.insert(place, std::move(setting));
 }
 
+/// Where a layer's file lies, which a film names as seen from its own folder. Others may have
+/// written the film that a movie holds: no file that it names is read.
+void find_layer_file(LayerSettings& layer, const Override& setting) {
+    if (setting.place.starts_with("--set") || layer.file.empty()) return;
+    const std::filesystem::path film(setting.place.substr(0, setting.place.rfind(':')));
+    if (film.extension() != ".toml" && film.has_extension()) {
+        throw InputError(
+            fmt::format("{}: {}: a film within a movie or picture reads no files; write "
+                        "it to a film file of your own",
+                        setting.place, setting.path));
+    }
+    layer.file = std::filesystem::absolute(film.parent_path() / layer.file).string();
+}
+
 /// The settings as sections of a film, each under a header of its own.
 std::string sections_of(const std::vector<Override>& looks, const std::string& owner) {
     std::map<std::pair<std::string, std::size_t>, std::string> sections;  // by name and item
@@ -118,8 +147,8 @@ std::string sections_of(const std::vector<Override>& looks, const std::string& o
 }  // namespace
 
 const std::vector<std::string>& film_look_sections() {
-    static const std::vector<std::string> sections{"look",      "sun",    "air",
-                                                   "streamers", "person", "track"};
+    static const std::vector<std::string> sections{"camera",    "look",   "sun",   "air",
+                                                   "streamers", "person", "track", "layer"};
     return sections;
 }
 
@@ -230,6 +259,8 @@ Scene with_looks(Scene scene, const std::vector<Override>& looks) {
                [&](const auto& region) { return read.locate(region); });
         scene.locations[setting.path] = read.locate(read.value().source());
         given.insert(setting.path);
+        if (setting.path.starts_with("layer.") && setting.path.ends_with(".file"))
+            find_layer_file(scene.view.layers[std::stoul(setting.path.substr(6))], setting);
     }
     SunSettings& sun = scene.view.sun;
     if (given.contains("sun.azimuth") || given.contains("sun.elevation")) {

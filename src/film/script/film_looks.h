@@ -13,8 +13,8 @@
 
 namespace fumon {
 
-/// The sections of a scene that a film, or a shot of it, may have too: "look", "sun", "air",
-/// "streamers", "person", "track".
+/// The sections of a scene that a film, or a shot of it, may have too: "camera", "look", "sun",
+/// "air", "streamers", "person", "track", "layer".
 const std::vector<std::string>& film_look_sections();
 
 /// The key of the look that a path of a film means, without the shot it is of: "look.palette" of
@@ -40,8 +40,9 @@ std::string with_looks(const std::string& toml, const Film& film);
 /// Whether two lists of settings give a scene the same look.
 bool same_looks(const std::vector<Override>& first, const std::vector<Override>& second);
 
-/// A scene whose look has been changed. Persons and tracks that are named replace all of the
-/// scene's. Throws InputError, located, where the settings do not fit each other or the scene.
+/// A scene whose look has been changed. Persons, tracks and layers that are named replace all of
+/// the scene's; layers are not laid over the bed yet. Throws InputError, located, where the
+/// settings do not fit each other or the scene.
 Scene with_looks(Scene scene, const std::vector<Override>& looks);
 
 }  // namespace fumon

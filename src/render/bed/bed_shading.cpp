@@ -70,7 +70,7 @@ gl::TextureLayout lighting_layout_of(Ground ground, bool by_pixels) {
 }
 
 /// With the sun's share, which is kept within `sun_bounds`, in 0 … 1.
-std::vector<std::uint16_t> with_clamped_sun(std::vector<std::uint16_t> texels) {
+LightTexels with_clamped_sun(LightTexels texels) {
     constexpr float scale = 65535.0F / (sun_bounds.highest - sun_bounds.lowest);
     constexpr auto dark = static_cast<std::uint16_t>(-scale * sun_bounds.lowest + 0.5F);
     constexpr auto lit = static_cast<std::uint16_t>(scale * (1.0F - sun_bounds.lowest) + 0.5F);
@@ -278,7 +278,7 @@ void BedShading::upload_marks(const Snapshot& snapshot, const DrawnOrigin& origi
 }
 
 void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
-                        const std::vector<std::uint16_t>& lighting, const DisplayWater* water) {
+                        const LightTexels& lighting, const DisplayWater* water) {
     if (by_pixels_) {
         // Means over several cells are of what each of them gets.
         lighting_.upload(with_clamped_sun(lighting).data());

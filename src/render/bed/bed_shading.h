@@ -16,6 +16,7 @@
 #include "render/colour/pixel_format.h"
 #include "render/land/land_cover.h"
 #include "render/light/light.h"
+#include "render/light/light_texels.h"
 #include "render/light/repeated_light.h"
 #include "render/samples/block_rasteriser.h"
 #include "render/view/block.h"
@@ -47,8 +48,8 @@ class BedShading {
 
     /// Uploads what light (see lighting_texels) and colouring make of a snapshot. `water` is given
     /// where draws_water says so.
-    void upload(const Snapshot& snapshot, const Snapshot& first,
-                const std::vector<std::uint16_t>& lighting, const DisplayWater* water);
+    void upload(const Snapshot& snapshot, const Snapshot& first, const LightTexels& lighting,
+                const DisplayWater* water);
     /// The same for endless ground.
     void upload(const Snapshot& snapshot, const Snapshot& first, const RepeatedLight& light,
                 const DrawnOrigin& origin);

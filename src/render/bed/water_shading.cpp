@@ -141,26 +141,30 @@ std::uint8_t byte_of(float share) {
 }
 
 /// How damp ground is, what was laid down on it and its value.
-std::vector<std::uint8_t> wet_ground_texels(const DisplayWater& water, const Field<float>& worked,
-                                            const Field<std::uint16_t>& values) {
-    std::vector<std::uint8_t> texels;
-    texels.reserve(4 * values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        texels.insert(texels.end(),
-                      {byte_of(water.damp.values()[i]), byte_of(0.5F + 0.5F * worked.values()[i]),
-                       byte_of(static_cast<float>(values.values()[i]) / 65535.0F), 255});
+Field<std::uint8_t> wet_ground_texels(const DisplayWater& water, const Field<float>& worked,
+                                      const Field<std::uint16_t>& values) {
+    Field<std::uint8_t> texels(4 * values.nx(), values.ny());
+    std::uint8_t* texel = texels.data();
+    for (std::size_t i = 0; i < values.size(); ++i, texel += 4) {
+        texel[0] = byte_of(water.damp.values()[i]);
+        texel[1] = byte_of(0.5F + 0.5F * worked.values()[i]);
+        texel[2] = byte_of(static_cast<float>(values.values()[i]) / 65535.0F);
+        texel[3] = 255;
     }
     return texels;
 }
 
 /// Three numbers a texel, and one more or, where there is none, a 1.
-std::vector<float> interleaved(const std::array<const Field<float>*, 3>& fields,
-                               const Field<float>& more = {}) {
-    std::vector<float> texels;
-    texels.reserve(4 * fields[0]->size());
-    for (std::size_t i = 0; i < fields[0]->size(); ++i) {
-        for (const Field<float>* field : fields) texels.push_back(field->values()[i]);
-        texels.push_back(more.empty() ? 1.0F : more.values()[i]);
+Field<float> interleaved(const std::array<const Field<float>*, 3>& fields,
+                         const Field<float>& more = {}) {
+    Field<float> texels(4 * fields[0]->nx(), fields[0]->ny());
+    const std::array<const float*, 3> from{fields[0]->data(), fields[1]->data(), fields[2]->data()};
+    float* texel = texels.data();
+    for (std::size_t i = 0; i < fields[0]->size(); ++i, texel += 4) {
+        texel[0] = from[0][i];
+        texel[1] = from[1][i];
+        texel[2] = from[2][i];
+        texel[3] = more.empty() ? 1.0F : more.values()[i];
     }
     return texels;
 }

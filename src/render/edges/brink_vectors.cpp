@@ -112,8 +112,9 @@ namespace fumon::brink_vectors {
 
 HWY_EXPORT(mix_means_along);
 
-std::vector<std::uint64_t> pairs_of(const float* values, int count) {
-    std::vector<std::uint64_t> pairs;
+std::vector<std::uint64_t, HugePageAllocator<std::uint64_t>> pairs_of(const float* values,
+                                                                      int count) {
+    std::vector<std::uint64_t, HugePageAllocator<std::uint64_t>> pairs;
     pairs.reserve(static_cast<std::size_t>(count));
     std::uint64_t own = std::bit_cast<std::uint32_t>(values[0]);
     for (int i = 1; i < count; ++i) {

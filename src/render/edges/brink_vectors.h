@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/huge_pages.h"
+
 /// The loop over the cells of a fine row that refined_with_brinks() corrects, see vectors/target.h:
 /// the same bits on every target.
 namespace fumon::brink_vectors {
@@ -16,7 +18,8 @@ struct Heights {
 };
 
 /// The pairs of `count` values.
-std::vector<std::uint64_t> pairs_of(const float* values, int count);
+std::vector<std::uint64_t, HugePageAllocator<std::uint64_t>> pairs_of(const float* values,
+                                                                      int count);
 
 /// The edges about the cells of a row: how much of one there is (0 … 1), and a vector along it,
 /// in whose lengths points are apart.

@@ -98,8 +98,7 @@ void smooth_along_edges(const Field<Edge>& edge, int refinement, float cells_asi
                         Field<float>& fine, WorkerPool& pool) {
     const float step = cells_aside * static_cast<float>(refinement) /
                        static_cast<float>(brink_vectors::positions_aside);
-    const std::vector<std::uint64_t> pairs =
-        brink_vectors::pairs_of(fine.data(), static_cast<int>(fine.size()));
+    const auto pairs = brink_vectors::pairs_of(fine.data(), static_cast<int>(fine.size()));
     pool.for_ranges(fine.ny(), [&](int begin, int end) {
         EdgesOfRow edges(edge, refinement);
         for (int v = begin; v < end; ++v) {

@@ -41,9 +41,8 @@ void widen(std::uint8_t* row, int count, std::vector<std::uint8_t>& before) {
 
 }  // namespace
 
-AvalancheCells avalanche_cells(const std::vector<std::uint16_t>& texels,
-                               const std::vector<std::uint8_t>& surface, int nx, int ny,
-                               float least_slope, WorkerPool& pool) {
+AvalancheCells avalanche_cells(const LightTexels& texels, const std::vector<std::uint8_t>& surface,
+                               int nx, int ny, float least_slope, WorkerPool& pool) {
     const auto columns = static_cast<std::size_t>(nx);
     const float squared = least_slope * least_slope;
     const float least = rounding * level * level * squared / (1.0F + squared);

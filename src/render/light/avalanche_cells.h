@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/light/light_texels.h"
+
 namespace fumon {
 
 class WorkerPool;
@@ -30,8 +32,7 @@ inline constexpr float min_avalanche_slope = 0.42F;
 /// From RepeatedLight's texels and surface, of nx × ny cells that repeat; `least_slope`: of ground
 /// as it is drawn. "Beside" takes in the eight neighbours, so that a point between the middles of
 /// four cells has in its nearest one all that is known of these four.
-AvalancheCells avalanche_cells(const std::vector<std::uint16_t>& texels,
-                               const std::vector<std::uint8_t>& surface, int nx, int ny,
-                               float least_slope, WorkerPool& pool);
+AvalancheCells avalanche_cells(const LightTexels& texels, const std::vector<std::uint8_t>& surface,
+                               int nx, int ny, float least_slope, WorkerPool& pool);
 
 }  // namespace fumon

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include "base/worker_pool.h"
 #include "render/light/light_vectors.h"
@@ -10,23 +11,22 @@
 
 namespace fumon {
 
-std::vector<std::uint16_t> lighting_texels(const DisplayBed& bed, const SunDirection& sun,
-                                           WorkerPool& pool) {
+LightTexels lighting_texels(const DisplayBed& bed, const SunDirection& sun, WorkerPool& pool) {
     return lighting_texels(
         bed,
         {sun_visibility(bed.z, bed.dx, bed.dy, sun), sky_visibility(bed.z, bed.dx, bed.dy, pool)},
         0, pool);
 }
 
-std::vector<std::uint16_t> lighting_texels(const DisplayBed& bed, const LightShares& shares,
-                                           int margin, WorkerPool& pool) {
+LightTexels lighting_texels(const DisplayBed& bed, const LightShares& shares, int margin,
+                            WorkerPool& pool) {
     const int nx = bed.z.nx();
     const int ny = bed.z.ny();
     const float scale = 65535.0F / (shares.bounds.highest - shares.bounds.lowest);
     const light_vectors::SunTexel sun_texel{scale, -scale * shares.bounds.lowest};
     const int across = nx - 2 * margin;
-    std::vector<std::uint16_t> texels(4 * static_cast<std::size_t>(across) *
-                                      static_cast<std::size_t>(ny - 2 * margin));
+    LightTexels texels(4 * static_cast<std::size_t>(across) *
+                       static_cast<std::size_t>(ny - 2 * margin));
     pool.for_ranges(ny - 2 * margin, [&](int begin, int end) {
         std::vector<float> row(static_cast<std::size_t>(nx) + 2);
         for (int inner = begin; inner < end; ++inner) {

@@ -6,6 +6,7 @@
 #include "base/grid.h"
 #include "base/snapshot_lookup.h"
 #include "render/light/avalanche_cells.h"
+#include "render/light/light_texels.h"
 #include "render/light/sun_sweep.h"
 #include "render/view/block.h"
 #include "render/view/drawn_origin.h"
@@ -17,9 +18,9 @@ class WorkerPool;
 /// A periodic bed and what light and wind do to it, among its own repetitions; or a bed in its
 /// plain.
 struct RepeatedLight {
-    Field<float> z;                      ///< as the display bed's
-    std::vector<std::uint16_t> texels;   ///< as lighting_texels; the sun's within `sun_bounds`
-    std::vector<std::uint16_t> clamped;  ///< the same with the sun's share kept to 0 … 1
+    Field<float> z;       ///< as the display bed's
+    LightTexels texels;   ///< as lighting_texels; the sun's within `sun_bounds`
+    LightTexels clamped;  ///< the same with the sun's share kept to 0 … 1
     /// Two of each cell, 0 … 255: how far ground upwind leaves the wind to it, and how far its sand
     /// lies as it slid: on slopes near the angle of repose, heights without exaggeration, and a
     /// cell around them; where the bed is not in metres, in the lee of a wind alone.

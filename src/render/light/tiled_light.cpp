@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace fumon {
 
@@ -28,10 +30,14 @@ Field<float> with_neighbours(const Field<float>& maps, int margin) {
         const int y = v - margin;
         const bool own_y = y >= 0 && y < ny;
         const auto from = maps.row((y % ny + ny) % ny);
-        for (int u = 0; u < wide.nx(); ++u) {
+        const auto to = wide.row(v);
+        for (int u = 0; u < wide.nx();) {
             const int x = u - margin;
+            const int first = (x % nx + nx) % nx;
+            const int count = std::min(nx - first, wide.nx() - u);
             const bool own = own_y && x >= 0 && x < nx;
-            wide(u, v) = from[static_cast<std::size_t>((x % nx + nx) % nx + (own ? 0 : nx))];
+            std::copy_n(from.begin() + first + (own ? 0 : nx), count, to.begin() + u);
+            u += count;
         }
     }
     return wide;
@@ -57,12 +63,14 @@ Field<float> shares_over_tiles(
     const int margin = static_cast<int>(margin_share * std::max(nx, ny));
     const Field<float> own = open(with_neighbours(heights, margin), margin);
     Field<float> maps(2 * nx, ny);
+    std::vector<float> along(static_cast<std::size_t>(nx));
+    for (int x = 0; x < nx; ++x) along[static_cast<std::size_t>(x)] = plain_share(x, nx);
     for (int y = 0; y < ny; ++y) {
         const float across = plain_share(y, ny);
+        std::copy_n(plain.row(y).begin(), nx, maps.row(y).begin() + nx);
         for (int x = 0; x < nx; ++x) {
-            const float along = plain_share(x, nx);
-            maps(x, y) = std::lerp(own(x, y), plain(x, y), std::max(along, across));
-            maps(nx + x, y) = plain(x, y);
+            const float share = std::max(along[static_cast<std::size_t>(x)], across);
+            maps(x, y) = share > 0.0F ? std::lerp(own(x, y), plain(x, y), share) : own(x, y);
         }
     }
     return maps;

@@ -33,4 +33,23 @@ Number bilinear_height(const Field<Number>& z, const glm::dvec2& share, bool rep
                      std::lerp(z(x.low, y.high), z(x.high, y.high), x.weight), y.weight);
 }
 
+/// Column and row of the cell with data that is nearest to a cell: itself where it has some, or
+/// where none has.
+inline std::array<int, 2> known_cell(const Mask& nodata, int column, int row) {
+    if (nodata.empty() || nodata(column, row) == 0) return {column, row};
+    std::array<int, 2> nearest{column, row};
+    long long least = std::numeric_limits<long long>::max();
+    for (int y = 0; y < nodata.ny(); ++y) {
+        for (int x = 0; x < nodata.nx(); ++x) {
+            if (nodata(x, y) != 0) continue;
+            const long long across = x - column;
+            const long long up = y - row;
+            if (across * across + up * up >= least) continue;
+            least = across * across + up * up;
+            nearest = {x, y};
+        }
+    }
+    return nearest;
+}
+
 }  // namespace fumon

@@ -12,6 +12,7 @@
 #include "base/elementary_angle.h"
 #include "base/snapshot_lookup.h"
 #include "base/units.h"
+#include "render/view/bilinear_height.h"
 #include "render/view/ground_choice.h"
 #include "render/view/surrounding_plain.h"
 #include "render/view/water.h"
@@ -21,7 +22,8 @@ namespace fumon {
 
 namespace {
 
-/// The bed's height at a place in cells, between its four nearest centres.
+/// The bed's height at a place in cells, between its four nearest centres; of those without data,
+/// that of the nearest cell with some.
 double height_at(const Snapshot& snapshot, double x, double y) {
     const Grid& bed = snapshot.bed;
     const auto cell = [](double position, int count, bool periodic) {
@@ -31,8 +33,10 @@ double height_at(const Snapshot& snapshot, double x, double y) {
     const double column = std::clamp(x, -1e8, 1e8) - 0.5;
     const double row = std::clamp(y, -1e8, 1e8) - 0.5;
     const auto height = [&](double i, double j) {
-        return bed(cell(column + i, bed.nx(), snapshot.periodic),
-                   cell(row + j, bed.ny(), snapshot.periodic));
+        const auto [x, y] =
+            known_cell(snapshot.nodata, cell(column + i, bed.nx(), snapshot.periodic),
+                       cell(row + j, bed.ny(), snapshot.periodic));
+        return bed(x, y);
     };
     const double east = column - std::floor(column);
     const double north = row - std::floor(row);

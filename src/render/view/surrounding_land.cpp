@@ -297,7 +297,7 @@ std::function<Grid(double from, double until)> SurroundingPlain::rain_over_tile(
     return [this, rain = snapshot.rain, nodata = snapshot.nodata](double from, double until) {
         Grid fallen = rain(from, until);
         if (fallen.size() == 1) return fallen;
-        const Grid maps = continued(fallen, nodata);
+        const Grid maps = continued(fallen, surroundings(nodata));
         Grid tile(nx_, ny_);
         for (int y = 0; y < ny_; ++y) std::copy_n(maps.row(y).begin(), nx_, tile.row(y).begin());
         return tile;

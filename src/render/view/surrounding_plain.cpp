@@ -1,11 +1,13 @@
 #include "render/view/surrounding_plain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <numbers>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,25 @@ constexpr double edge_share = 1.0 / 4.0;  // depth into the bed to which its rel
 constexpr double quiet_share = 0.25;      // the share of the edges that are quieter than the plain
 constexpr double most_rough = 1.6;        // logarithm: an edge against the plain
 constexpr std::uint64_t seed = 15;
+
+/// What pictures of endless ground read besides its heights.
+constexpr std::array<std::string_view, 8> drawn_fields{
+    "water_depth", "velocity_x",     "velocity_y", "sand",
+    "cover",       "last_avalanche", "grass",      "shrubs"};
+
+Snapshot without_fields(const Snapshot& snapshot) {
+    Snapshot bare;
+    bare.step = snapshot.step;
+    bare.time = snapshot.time;
+    bare.time_unit = snapshot.time_unit;
+    bare.scale = snapshot.scale;
+    bare.highest_expected = snapshot.highest_expected;
+    bare.periodic = snapshot.periodic;
+    bare.numbers = snapshot.numbers;
+    bare.landform = snapshot.landform;
+    bare.winds = snapshot.winds;
+    return bare;
+}
 
 bool is_fast(int length) {
     for (const int prime : {2, 3, 5})
@@ -256,11 +277,16 @@ void SurroundingPlain::make_relief(const Grid& heights, const Mask& outside,
     for (double& height : relief_.values()) height *= scale;
 }
 
+SurroundingPlain::Surroundings SurroundingPlain::surroundings(const Mask& nodata) const {
+    Surroundings all{outside_of(nodata), {}, {}};
+    all.between = between_bed_and_plain(all.outside);
+    all.depth = distances_to(all.outside);
+    return all;
+}
+
 /// Of any field but the heights: what it has at the bed's edge runs out into its mean there.
-Grid SurroundingPlain::continued(const Grid& field, const Mask& nodata) const {
-    const Mask outside = outside_of(nodata);
-    const Mask between = between_bed_and_plain(outside);
-    const Field<float> depth = distances_to(outside);
+Grid SurroundingPlain::continued(const Grid& field, const Surroundings& all) const {
+    const auto& [outside, between, depth] = all;
     Grid tile = in_tile(field);
     double sum = 0.0;
     double low = 1e300;
@@ -286,8 +312,9 @@ Grid SurroundingPlain::continued(const Grid& field, const Mask& nodata) const {
     return maps;
 }
 
-Snapshot SurroundingPlain::around(const Snapshot& snapshot) const {
-    const Mask outside = outside_of(snapshot.nodata);
+Snapshot SurroundingPlain::around(const Snapshot& snapshot, WorkerPool& pool) const {
+    const Surroundings all = surroundings(snapshot.nodata);
+    const Mask& outside = all.outside;
     const Grid heights = in_tile(snapshot.bed);
     Grid ground = own_;
     if (!is_drained()) {
@@ -305,17 +332,22 @@ Snapshot SurroundingPlain::around(const Snapshot& snapshot) const {
                                                  roughness_.values()[i] * relief_.values()[i];
         misses = misses || missing.values()[i] != 0.0;
     }
-    if (misses) fill_in_tension(missing, between_bed_and_plain(outside));
-    Snapshot maps;
-    maps.step = snapshot.step;
-    maps.time = snapshot.time;
-    maps.time_unit = snapshot.time_unit;
-    maps.scale = snapshot.scale;
-    maps.highest_expected = snapshot.highest_expected;
+    Snapshot maps = without_fields(snapshot);
     maps.periodic = true;
-    maps.numbers = snapshot.numbers;
-    maps.landform = snapshot.landform;
-    maps.winds = snapshot.winds;
+    std::vector<const SnapshotField*> drawn;
+    for (const SnapshotField& field : snapshot.fields)
+        if (std::ranges::find(drawn_fields, field.name) != drawn_fields.end())
+            drawn.push_back(&field);
+    maps.fields.resize(drawn.size());
+    // The heights first, then each of the fields.
+    pool.for_ranges(1 + static_cast<int>(drawn.size()), [&](int begin, int end) {
+        if (begin == 0 && misses) fill_in_tension(missing, all.between);
+        for (int i = std::max(begin, 1); i < end; ++i) {
+            const auto k = static_cast<std::size_t>(i - 1);
+            maps.fields[k] = {drawn[k]->name, drawn[k]->long_name, drawn[k]->unit,
+                              continued(drawn[k]->values, all)};
+        }
+    });
     maps.bed = Grid(2 * nx_, ny_);
     for (int y = 0; y < ny_; ++y) {
         for (int x = 0; x < nx_; ++x) {
@@ -323,9 +355,6 @@ Snapshot SurroundingPlain::around(const Snapshot& snapshot) const {
             maps.bed(nx_ + x, y) = level_ + relief_(x, y);
         }
     }
-    for (const SnapshotField& field : snapshot.fields)
-        maps.fields.push_back(
-            {field.name, field.long_name, field.unit, continued(field.values, snapshot.nodata)});
     if (is_drained() && has_water(snapshot)) add_water(snapshot, maps);
     return maps;
 }
@@ -352,9 +381,10 @@ Snapshot SurroundingPlain::own_tile(const Snapshot& maps) const {
         for (int y = 0; y < ny_; ++y) std::copy_n(field.row(y).begin(), nx_, tile.row(y).begin());
         return tile;
     };
-    Snapshot tile = maps;
+    Snapshot tile = without_fields(maps);
     tile.bed = tile_of(maps.bed);
-    for (SnapshotField& field : tile.fields) field.values = tile_of(field.values);
+    for (const SnapshotField& field : maps.fields)
+        tile.fields.push_back({field.name, field.long_name, field.unit, tile_of(field.values)});
     return tile;
 }
 

@@ -39,8 +39,8 @@ class SurroundingPlain {
     SurroundingPlain(const Snapshot& first, WorkerPool& pool);
 
     /// That bed, or one of the same cells, in the plain: a snapshot of the maps of GroundTiles,
-    /// periodic and without cells outside.
-    [[nodiscard]] Snapshot around(const Snapshot& snapshot) const;
+    /// periodic and without cells outside, of fields only those that are drawn.
+    [[nodiscard]] Snapshot around(const Snapshot& snapshot, WorkerPool& pool) const;
 
     /// How far their ground is invented: 0 on the bed, 255 from a dozen cells beyond it on.
     [[nodiscard]] Field<std::uint8_t> invented_share(const Snapshot& first) const;
@@ -63,11 +63,19 @@ class SurroundingPlain {
     [[nodiscard]] bool is_drained() const { return !own_.empty(); }
 
   private:
+    /// Of the cells of a tile.
+    struct Surroundings {
+        Mask outside;        ///< of the bed
+        Mask between;        ///< bed and plain
+        Field<float> depth;  ///< within the bed
+    };
+
+    [[nodiscard]] Surroundings surroundings(const Mask& nodata) const;
     [[nodiscard]] bool inside(int x, int y, const Mask& nodata) const;
     [[nodiscard]] Mask outside_of(const Mask& nodata) const;
     [[nodiscard]] Grid in_tile(const Grid& field) const;
     [[nodiscard]] Mask between_bed_and_plain(const Mask& outside) const;
-    [[nodiscard]] Grid continued(const Grid& field, const Mask& nodata) const;
+    [[nodiscard]] Grid continued(const Grid& field, const Surroundings& all) const;
     void find_level(const Grid& heights, const Mask& outside, const Field<float>& depth);
     void make_relief(const Grid& heights, const Mask& outside, const Field<float>& depth,
                      WorkerPool& pool);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "base/compensated_sum.h"
@@ -342,7 +343,7 @@ double water_clarity(const LookSettings& look, const WaterStatistics& water) {
     return water.high_depth * (pond_clarity + film_clarity * squared * squared);
 }
 
-DisplayWater display_water(const Snapshot& snapshot, int refinement) {
+DisplayWater display_water(const Snapshot& snapshot, int refinement, WorkerPool& pool) {
     const Mask dry = dry_cells(snapshot);
     const Mask open = open_cells(snapshot, dry);
     const auto shown = [&](std::string_view name) {
@@ -356,22 +357,31 @@ DisplayWater display_water(const Snapshot& snapshot, int refinement) {
     };
     Field<float> slope_x = surface_slopes(snapshot, open, 1, 0, snapshot.scale.dx);
     Field<float> slope_y = surface_slopes(snapshot, open, 0, 1, snapshot.scale.dy);
-    const Mask sloping =
-        sloping_cells(open, values_of(snapshot, "water_depth"), slope_x, slope_y, snapshot.scale);
     DisplayWater water;
-    water.depth = shown_depths(snapshot, dry, sloping, refinement);
-    water.velocity_x = shown("velocity_x");
-    water.velocity_y = shown("velocity_y");
-    extrapolate_outward(slope_x, open, 0.0F);
-    extrapolate_outward(slope_y, open, 0.0F);
-    water.slope_x = refined(slope_x, refinement);
-    water.slope_y = refined(slope_y, refinement);
-    water.damp =
-        refined(dampness(values_of(snapshot, "water_depth"), dry, closed_depth(snapshot.scale)),
-                refinement);
-    for (float& damp : water.damp.values()) damp = std::clamp(damp, 0.0F, 1.0F);
-    wet_by_rain(snapshot, refinement, water.damp);
-    add_rings(snapshot, refinement, water);
+    const auto show_depths_and_rings = [&] {
+        const Mask sloping = sloping_cells(open, values_of(snapshot, "water_depth"), slope_x,
+                                           slope_y, snapshot.scale);
+        water.depth = shown_depths(snapshot, dry, sloping, refinement);
+        add_rings(snapshot, refinement, water);
+    };
+    const auto show_the_rest = [&] {
+        water.velocity_x = shown("velocity_x");
+        water.velocity_y = shown("velocity_y");
+        for (const auto& [coarse, fine] :
+             {std::pair(&slope_x, &water.slope_x), std::pair(&slope_y, &water.slope_y)}) {
+            Field<float> slopes = *coarse;
+            extrapolate_outward(slopes, open, 0.0F);
+            *fine = refined(slopes, refinement);
+        }
+        const Grid& depth = values_of(snapshot, "water_depth");
+        water.damp = refined(dampness(depth, dry, closed_depth(snapshot.scale)), refinement);
+        for (float& damp : water.damp.values()) damp = std::clamp(damp, 0.0F, 1.0F);
+        wet_by_rain(snapshot, refinement, water.damp);
+    };
+    pool.for_ranges(2, [&](int begin, int end) {  // about as long each
+        if (begin == 0) show_depths_and_rings();
+        if (end == 2) show_the_rest();
+    });
     return water;
 }
 

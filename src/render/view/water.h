@@ -5,6 +5,7 @@
 
 #include "base/grid.h"
 #include "base/snapshot.h"
+#include "base/worker_pool.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -73,7 +74,7 @@ struct DisplayWater {
     Field<float> ringed;
 };
 
-DisplayWater display_water(const Snapshot& snapshot, int refinement);
+DisplayWater display_water(const Snapshot& snapshot, int refinement, WorkerPool& pool);
 
 /// What the water has done to a bed since `first`, −1 worn … 1 laid down, whole from `whole` metres
 /// on; less what the bed has sunk or risen in the mean. All 0 where the grids differ.

@@ -73,5 +73,58 @@ TEST(GullyGrowth, ConservativeTransportFillsInAtEverySlope) {
     }
 }
 
+/// What runs over a periodic bed: the wavelength of its relief by the rms of heights and slopes, in
+/// cells, and the direction across which it runs, degrees counterclockwise from east.
+struct Channels {
+    double wavelength = 0.0;
+    double direction = 0.0;
+};
+
+Channels channels_of(const Grid& bed) {
+    const int nx = bed.nx();
+    const int ny = bed.ny();
+    double mean = 0.0;
+    for (const double z : bed.values()) mean += z / static_cast<double>(bed.size());
+    double squares = 0.0;
+    double xx = 0.0;
+    double yy = 0.0;
+    double xy = 0.0;
+    for (int y = 0; y < ny; ++y) {
+        for (int x = 0; x < nx; ++x) {
+            const double east = 0.5 * (bed((x + 1) % nx, y) - bed((x + nx - 1) % nx, y));
+            const double north = 0.5 * (bed(x, (y + 1) % ny) - bed(x, (y + ny - 1) % ny));
+            squares += (bed(x, y) - mean) * (bed(x, y) - mean);
+            xx += east * east;
+            yy += north * north;
+            xy += east * north;
+        }
+    }
+    return {2.0 * std::numbers::pi * std::sqrt(squares / (xx + yy)),
+            90.0 / std::numbers::pi * std::atan2(2.0 * xy, xx - yy)};
+}
+
+/// Of a plane of slope .04 that descends so many degrees from south toward east, out of noise.
+Channels channels_down(double degrees) {
+    const double turn = degrees * std::numbers::pi / 180.0;
+    GullyParameters gully = as_printed(0.04 * std::cos(turn));
+    gully.slope_x = 0.04 * std::sin(turn);
+    gully.transport = SedimentTransport::incision;
+    gully.scheme = WaterScheme::finite_volume;
+    gully.bed_diffusion = 0.02;  // the fastest channels lie eight cells apart
+    gully.time_step = 1.0;
+    GullyRun run(gully, noise(64, 64, 0.002));
+    run.to(200.0);
+    return channels_of(run.gully.snapshot().bed);
+}
+
+TEST(GullyGrowth, ChannelsDoNotKnowTheGrid) {
+    const Channels along = channels_down(0.0);
+    const Channels turned = channels_down(30.0);
+    EXPECT_NEAR(along.direction, 0.0, 1.0);
+    EXPECT_NEAR(turned.direction, 30.0, 2.5);
+    EXPECT_NEAR(turned.wavelength / along.wavelength, 1.0, 0.1);
+    EXPECT_GT(along.wavelength, 7.0);
+}
+
 }  // namespace
 }  // namespace fumon::test

@@ -64,8 +64,7 @@ TEST(BrinkVectors, EveryTargetMixesInTheMeansOfSinglePlaces) {
         north[x] = std::sin(turn);
     }
     constexpr float step = 0.75F;
-    const std::vector<std::uint64_t> pairs =
-        brink_vectors::pairs_of(field.data(), static_cast<int>(field.size()));
+    const auto pairs = brink_vectors::pairs_of(field.data(), static_cast<int>(field.size()));
     for (const std::string& target : vectors::targets()) {
         vectors::use_target(target);
         for (int y = 0; y < field.ny(); ++y) {

@@ -17,7 +17,7 @@ constexpr int ny = 9;
 
 /// Level cells on which nothing slid.
 struct Maps {
-    std::vector<std::uint16_t> texels = std::vector<std::uint16_t>(std::size_t{4} * nx * ny, 32767);
+    LightTexels texels = LightTexels(std::size_t{4} * nx * ny, 32767);
     std::vector<std::uint8_t> surface = std::vector<std::uint8_t>(std::size_t{2} * nx * ny, 0);
 
     static std::size_t at(int x, int y) { return static_cast<std::size_t>(y * nx + x); }

@@ -38,10 +38,10 @@ TEST(LightVectors, EveryTargetGivesTheSameTexels) {
         const DisplayBed bed = rough_bed(nx, 37);
         for (const SunDirection& sun :
              {SunDirection{0.6F, 0.8F, 0.4F, 0.5F}, SunDirection{-0.8F, -0.6F, 0.9F, 1.2F}}) {
-            std::vector<std::uint16_t> first;
+            LightTexels first;
             for (const std::string& target : vectors::targets()) {
                 vectors::use_target(target);
-                const std::vector<std::uint16_t> texels = lighting_texels(bed, sun, pool);
+                const LightTexels texels = lighting_texels(bed, sun, pool);
                 if (first.empty()) first = texels;
                 EXPECT_EQ(texels, first) << target << ", " << nx << " columns";
             }

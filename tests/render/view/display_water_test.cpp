@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/worker_pool.h"
 #include "numerics/resampling.h"
 #include "render/view/block.h"
 #include "render/view/water.h"
@@ -10,6 +11,11 @@
 
 namespace fumon {
 namespace {
+
+DisplayWater displayed_water(const Snapshot& snapshot, int refinement) {
+    WorkerPool pool(2);
+    return display_water(snapshot, refinement, pool);
+}
 
 /// A V-shaped valley, steeper in the west, that falls southward by a tenth, a stream in its lowest
 /// column and rain's film on its flanks.
@@ -24,11 +30,11 @@ Snapshot stream_in_a_valley() {
 }
 
 TEST(DisplayWater, LiesLevelAcrossAChannelOfOneCell) {
-    const DisplayWater water = display_water(stream_in_a_valley(), 1);
+    const DisplayWater water = displayed_water(stream_in_a_valley(), 1);
     EXPECT_NEAR(water.slope_x(10, 20), 0.0F, 1e-6F);
     EXPECT_NEAR(water.slope_y(10, 20), 0.1F, 1e-5F);
     EXPECT_NEAR(water.slope_x(9, 20), 0.0F, 1e-6F);  // its bank's film does not tilt it
-    const DisplayWater sheet = display_water(
+    const DisplayWater sheet = displayed_water(
         [] {
             Snapshot plane = under_water(flat_bed(20, 20), 0.1, 0.0);
             for (int y = 0; y < 20; ++y)
@@ -49,7 +55,7 @@ TEST(DisplayWater, AStreamDoesNotClimbItsBanksBetweenCells) {
             valley.bed(x, y) = 0.2 * y + 1.2 * std::min(1, std::abs(x - 10));
         valley.fields[0].values(10, y) = 0.02;
     }
-    const DisplayWater water = display_water(valley, finer);
+    const DisplayWater water = displayed_water(valley, finer);
     const float closes = static_cast<float>(closed_depth(valley.scale));
     int widest = 0;
     for (int y = 10 * finer; y < 30 * finer; ++y) {
@@ -72,7 +78,7 @@ TEST(DisplayWater, EndsWhereItsLevelMeetsTheGround) {
             if (pond.bed(x, y) < 1.6) pond.fields[0].values(x, y) = 1.6 - pond.bed(x, y);
         }
     }
-    const DisplayWater water = display_water(pond, finer);
+    const DisplayWater water = displayed_water(pond, finer);
     Field<float> bed(20, 12);
     std::copy(pond.bed.values().begin(), pond.bed.values().end(), bed.values().begin());
     const Field<float> ground = refined(bed, finer);
@@ -86,7 +92,7 @@ TEST(DisplayWater, EndsWhereItsLevelMeetsTheGround) {
         }
     }
     // A film on a slope follows it, however far its surface falls within a cell.
-    const DisplayWater stream = display_water(stream_in_a_valley(), finer);
+    const DisplayWater stream = displayed_water(stream_in_a_valley(), finer);
     for (int x = 2 * finer; x < 8 * finer; ++x)
         EXPECT_NEAR(stream.depth(x, 20 * finer), 0.0005F, 1e-5F) << x;
 }
@@ -101,7 +107,7 @@ TEST(DisplayWater, ShoresLieBetweenCells) {
             pond.fields[0].values(x, y) = std::max(1.0 - pond.bed(x, y), 0.0);
         }
     }
-    const Field<float> depth = display_water(pond, finer).depth;
+    const Field<float> depth = displayed_water(pond, finer).depth;
     for (int y = 10; y < 50; ++y) {
         int x = 2;
         while (depth(x, y) > 0.0F) ++x;
@@ -146,7 +152,7 @@ TEST(DisplayWater, RainWetsTheGroundForAnHour) {
     };
     const auto dampness = [&](double time) {
         dry.time = time;
-        return display_water(dry, 2).damp(5, 4);
+        return displayed_water(dry, 2).damp(5, 4);
     };
     EXPECT_EQ(dampness(100.0), 0.0F);
     EXPECT_NEAR(dampness(150.0), 0.75 * (1.0 - std::exp(-1.0)), 1e-6);

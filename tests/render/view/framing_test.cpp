@@ -92,6 +92,25 @@ TEST(Framing, LeavesOutWhatIsNoGround) {
     EXPECT_EQ(*block.look_at, *same.look_at);
 }
 
+TEST(Framing, ACameraOverNoDataStandsOnTheNearestGround) {
+    Snapshot bed = repeated_dunes(20, 12);
+    bed.periodic = false;
+    bed.nodata = Mask(20, 12);
+    for (int y = 0; y < 12; ++y) {
+        for (int x = 0; x < 20; ++x) {
+            bed.bed(x, y) += 1700.0;
+            if (x >= 5) continue;
+            bed.nodata(x, y) = 1;
+            bed.bed(x, y) = 0.0;
+        }
+    }
+    View view;
+    view.camera.at = {2.5 * bed.scale.dx, 6.5 * bed.scale.dy, 3.0};
+    const Block block = framed_block(view, bed);
+    ASSERT_TRUE(block.eye);
+    EXPECT_NEAR(block.eye->z, block.z(bed.bed(5, 6) + 3.0 / bed.scale.height_unit), 1e-9);
+}
+
 TEST(Framing, ACameraRisesWithTheGround) {
     Snapshot bed = repeated_dunes(50, 50);
     View view;

@@ -21,7 +21,7 @@ constexpr int bed_ny = 40;
 /// The maps of a bed in its plain, with what is known of where it lies.
 struct PlainMaps {
     explicit PlainMaps(const Snapshot& bed, int workers = 1)
-        : pool(workers), plain(bed, pool), maps(plain.around(bed)) {
+        : pool(workers), plain(bed, pool), maps(plain.around(bed, pool)) {
         nx = maps.bed.nx() / 2;
         ny = maps.bed.ny();
         west = (nx - bed.bed.nx()) / 2;
@@ -245,7 +245,8 @@ TEST(SurroundingLand, StaysInAFilmOfABedThatChanges) {
     const PlainMaps in(first);
     Snapshot later = first;
     later.bed(30, 20) -= 2.0;  // amid: nothing changes at the edge
-    const Grid changed = in.plain.around(later).bed;
+    WorkerPool pool(1);
+    const Grid changed = in.plain.around(later, pool).bed;
     for (int y = 0; y < in.ny; ++y)
         for (int x = 0; x < in.nx; ++x)
             if (!is_bed(in, x, y)) {

@@ -114,9 +114,10 @@ TEST(Water, IsClosedWhereItIsDeeperThanTheGroundIsRough) {
     EXPECT_NEAR(closed_depth({1.0, 1.0, 1.0, true}), 0.004, 1e-15);
     EXPECT_NEAR(closed_depth({100.0, 400.0, 1.0, true}), 0.04, 1e-15);
     const Snapshot film = under_water(flat_bed(20, 20), 0.001, 0.0);
-    EXPECT_NEAR(display_water(film, 1).damp(10, 10), 0.5F, 1e-6F);
+    WorkerPool pool(1);
+    EXPECT_NEAR(display_water(film, 1, pool).damp(10, 10), 0.5F, 1e-6F);
     const Snapshot deep = under_water(flat_bed(20, 20), 0.004, 0.0);
-    EXPECT_EQ(display_water(deep, 1).damp(10, 10), 1.0F);
+    EXPECT_EQ(display_water(deep, 1, pool).damp(10, 10), 1.0F);
 }
 
 TEST(Water, WhatItLaidDownIsPaleAndWhatItWoreIsDark) {
