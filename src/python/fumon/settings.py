@@ -10,6 +10,8 @@ from typing import Any, Iterable, Mapping, Sequence, Union
 import numpy as np
 import numpy.typing as npt
 
+from . import _core
+
 #: What a key is set to.
 Setting = Union[str, "os.PathLike[str]", bool, int, float, np.generic, npt.NDArray[np.generic], Sequence["Setting"],
                 Mapping[str, "Setting"]]
@@ -47,6 +49,11 @@ def settings_of(given: Mapping[str, Setting]) -> list[tuple[str, str]]:
     """Keys with their values as TOML; a list of dicts (``overlay=[{"kind": "scale-bar"}]``) sets the keys of a list of
     sections, item by item."""
     return [setting for name, value in given.items() for setting in _settings(key_of(name), value)]
+
+
+def look_settings(look: Mapping[str, Setting], colour: str | None) -> list[str]:
+    """``key=VALUE`` of a look, with what ``colour`` names to colour the ground, which keys of the look change further."""
+    return _core.colour_settings(colour or "") + [f"{key}={value}" for key, value in settings_of(look)]
 
 
 def _settings(key: str, value: Setting) -> Iterable[tuple[str, str]]:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -11,6 +12,7 @@
 
 #include "base/elementary.h"
 #include "base/random.h"
+#include "base/snapshots/ground_range.h"
 #include "base/worker_pool.h"
 #include "numerics/plane_filter.h"
 #include "numerics/smooth_step.h"
@@ -323,9 +325,16 @@ Snapshot SurroundingPlain::around(const Snapshot& snapshot) const {
             maps.bed(nx_ + x, y) = level_ + relief_(x, y);
         }
     }
-    for (const SnapshotField& field : snapshot.fields)
-        maps.fields.push_back(
-            {field.name, field.long_name, field.unit, continued(field.values, snapshot.nodata)});
+    for (const SnapshotField& field : snapshot.fields) {
+        Grid values = continued(field.values, snapshot.nodata);
+        if (may_have_gaps(field.name)) {  // nothing is invented of what colours alone show
+            for (int y = 0; y < values.ny(); ++y)
+                for (int x = 0; x < values.nx(); ++x)
+                    if (x >= nx_ || outside(x, y) != 0)
+                        values(x, y) = std::numeric_limits<double>::quiet_NaN();
+        }
+        maps.fields.push_back({field.name, field.long_name, field.unit, std::move(values)});
+    }
     if (is_drained() && has_water(snapshot)) add_water(snapshot, maps);
     return maps;
 }
