@@ -1,5 +1,10 @@
 #include "scene/scene_keys.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
 #include "base/limits.h"
 #include "files/terrain/terrain_format.h"
 #include "keys/keys.h"
