@@ -16,6 +16,7 @@
 #include "film/beds/film_runs.h"
 #include "film/film_read.h"
 #include "film/joined_film.h"
+#include "film/script/film_looks.h"
 #include "film/timeline.h"
 #include "paper/figure_plan.h"
 #include "run/forecast/run_forecast.h"
@@ -83,7 +84,9 @@ std::optional<Fine> checked_film(const std::string& file, const std::vector<std:
     Fine fine{fmt::format("a film of {} frames, {:.4g} s", timeline.frames(), seconds),
               {{"kind", "film"}, {"frames", timeline.frames()}, {"seconds", seconds}}};
     if (folders.empty()) return fine;
-    const FilmRuns runs(folders, 1, arrangement_of(film));
+    ForeignQuery query;
+    query.scalars = coloured_fields(film);
+    const FilmRuns runs(folders, 1, arrangement_of(film), query);
     WorkerPool pool(1, "fumon-check");
     // All that a film needs is looked at before its first frame.
     const auto frames = film_frames(

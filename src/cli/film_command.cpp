@@ -25,9 +25,12 @@
 #include "film/frame_sequence.h"
 #include "film/make_film.h"
 #include "film/rule/film_rule.h"
+#include "film/script/film_looks.h"
+#include "keys/override.h"
 #include "outputs/output_claims.h"
 #include "run/drawing.h"
 #include "run/terminal/interrupt.h"
+#include "scene/scene_keys.h"
 #include "view/watch/job_server.h"
 
 namespace fumon {
@@ -44,6 +47,7 @@ struct FilmOptions {
     std::string most_bytes;
     std::string style = "talk";  ///< of a film by rule
     double seconds = 0.0;        ///< likewise; 0: by its style
+    std::string colour;
     bool print = false;
     bool draft = false;
     bool resume = false;
@@ -101,6 +105,7 @@ void declare(CLI::App& command, FilmOptions& options) {
     command.add_flag("--clear-cache", options.clear_cache,
                      "alone: delete the pictures that are kept for the next film");
     add_force(command, options.force);
+    add_colour(command, options.colour);
     add_foreign_options(command, options.foreign);
     add_settings(command, options.work.settings,
                  "override a film key: --set film.size=vertical (repeatable)");
@@ -117,6 +122,7 @@ void declare(CLI::App& command, FilmOptions& options) {
          {"fumon film out/one out/two trailer.toml",
           "pieces of several films, one after the other"},
          {"fumon film flood.nc film.toml", "the results of another model"},
+         {"fumon film flood.nc --colour tau -o tau.mp4", "coloured by its shear stress"},
          {"fumon film out/run film.toml --formats talk,gif --max-size 8MB", "several files"}},
         "Nothing is simulated: the run stores beds when its scene says output.fields_every=N.\n"
         "`fumon describe film` lists the keys of a film.");
@@ -154,6 +160,24 @@ struct FilmToMake {
     FilmRuns runs;
 };
 
+/// What is asked of runs of other models: what --field and the like say, and the maps that colour.
+ForeignQuery query_of(const FilmOptions& options, const std::vector<std::string>& fields) {
+    ForeignQuery query = options.foreign;
+    query.scalars = fields;
+    return query;
+}
+
+/// What --colour means is said in the picture, unless the film does.
+void add_colour_bar(Film& film) {
+    if (std::ranges::find(film.overlays, OverlayKind::colour_bar, &OverlaySettings::kind) !=
+        film.overlays.end())
+        return;
+    OverlaySettings bar;
+    bar.kind = OverlayKind::colour_bar;
+    bar.corner = OverlayCorner::lower_right;
+    film.overlays.push_back(bar);
+}
+
 FilmToMake film_by_file(const FilmOptions& options, const Arguments& arguments) {
     if (options.print || options.seconds != 0.0 || options.style != "talk") {
         throw InputError(
@@ -163,11 +187,15 @@ FilmToMake film_by_file(const FilmOptions& options, const Arguments& arguments) 
     const fs::path file = film_file(arguments.film);
     FilmText text = film_text(file);
     const bool again = small_ending(file) != ".toml";
-    Film film = parse_film(text.text, file.string(), options.work.settings, !again);
+    std::vector<std::string> settings = colour_settings(options.colour);
+    settings.insert(settings.end(), options.work.settings.begin(), options.work.settings.end());
+    Film film = parse_film(text.text, file.string(), settings, !again);
+    if (!options.colour.empty()) add_colour_bar(film);
     const RunArrangement showing = arrangement_of(film);
     fs::path usual = file.stem().string() + (again ? "-again" : "");
-    return {std::move(text), std::move(film), std::move(usual), file,
-            FilmRuns(arguments.runs, options.work.threads, showing, options.foreign)};
+    FilmRuns runs(arguments.runs, options.work.threads, showing,
+                  query_of(options, coloured_fields(film)));
+    return {std::move(text), std::move(film), std::move(usual), file, std::move(runs)};
 }
 
 /// What a film by rule is called where no file is named: as its run's folder or file.
@@ -183,11 +211,18 @@ std::string name_of_run(const std::string& run) {
 
 /// Of runs without a film: one that is made by rule, as a film file.
 FilmToMake film_without_file(const FilmOptions& options, const Arguments& arguments) {
-    const FilmRule rule{film_style(options.style), options.seconds};
-    FilmRuns runs(arguments.runs, options.work.threads, RunArrangement::together, options.foreign);
+    FilmRule rule{film_style(options.style), options.seconds,
+                  read_settings(colour_settings(options.colour))};
+    std::vector<std::string> fields;
+    for (const auto& settings : {rule.colours, read_settings(options.work.settings)})
+        for (const Override& setting : settings)
+            if (setting.path == "look.field") fields.push_back(plain_text(setting));
+    FilmRuns runs(arguments.runs, options.work.threads, RunArrangement::together,
+                  query_of(options, fields));
     FilmText text{film_by_rule(runs, rule, fs::path(arguments.runs.front()).string()),
                   "fumon film RUN"};
     if (options.style != "talk") text.remake += " --style " + options.style;
+    if (!options.colour.empty()) text.remake += " --colour " + options.colour;
     if (options.seconds != 0.0) text.remake += fmt::format(" --seconds {}", options.seconds);
     Film film = parse_film(text.text, "film by rule", options.work.settings);
     fs::path usual = name_of_run(arguments.runs.front());

@@ -171,4 +171,12 @@ void add_foreign_options(CLI::App& command, ForeignQuery& query) {
         ->type_name("METRES");
 }
 
+void add_colour(CLI::App& command, std::string& colour) {
+    command
+        .add_option("--colour", colour,
+                    "what colours the ground: a field of the run or a variable of the file, or a "
+                    "word of look.colour_by (height, slope, water-depth …)")
+        ->type_name("NAME");
+}
+
 }  // namespace fumon

@@ -73,6 +73,9 @@ void add_heights(CLI::App& command, std::string& heights);
 /// --field, --time-pattern, --time-unit and --cell-size of results of other models.
 void add_foreign_options(CLI::App& command, ForeignQuery& query);
 
+/// --colour, of what colours the ground.
+void add_colour(CLI::App& command, std::string& colour);
+
 /// Throws InputError where standard output is a terminal, which `what` ("the picture is a PNG
 /// file") tells nothing and may upset; `example` is a file that may take it.
 void refuse_terminal(const char* what, const char* example);

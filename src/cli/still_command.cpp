@@ -26,6 +26,7 @@
 #include "scene/overlay_keys.h"
 #include "scene/read.h"
 #include "scene/scene_files.h"
+#include "scene/scene_keys.h"
 #include "scene/terrain_scene.h"
 
 namespace fumon {
@@ -39,6 +40,7 @@ struct StillOptions {
     bool lossless = false;
     std::optional<std::int64_t> step;
     std::optional<double> time;
+    std::string colour;
     std::string heights;  ///< "low:high", metres of black and white of a PNG terrain
     bool force = false;
     ForeignQuery foreign;
@@ -73,6 +75,7 @@ void declare(CLI::App& command, StillOptions& options) {
         ->excludes(step);
     add_heights(command, options.heights);
     add_force(command, options.force);
+    add_colour(command, options.colour);
     add_foreign_options(command, options.foreign);
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
@@ -81,6 +84,7 @@ void declare(CLI::App& command, StillOptions& options) {
         {{"fumon still terada-barchans --step 500 -o dunes.png", "a step of a scene"},
          {"fumon still out/run --step 500 -o dunes.png", "of a run that stored it, at once"},
          {"fumon still flood.nc --step 12 -o flood.png", "of another model's results"},
+         {"fumon still flood.nc --step 12 --colour tau -o tau.png", "coloured by its shear stress"},
          {"fumon still terrain.asc -o terrain.png", "a terrain file of your own"},
          {"fumon still terada-barchans -o dunes.webp --quality 80", "a small file"},
          {"fumon still terada-barchans -o dunes.exr", "its light, depth and fields"},
@@ -180,7 +184,9 @@ void draw_stored(const StillOptions& options, const std::string& run) {
 
 int perform(const StillOptions& asked) {
     const InterruptGuard guard;
-    const StillOptions options = with_coding(asked);
+    StillOptions options = with_coding(asked);
+    const std::vector<std::string> colours = colour_settings(options.colour);
+    options.work.settings.insert(options.work.settings.begin(), colours.begin(), colours.end());
     const bool to_standard_output = options.output == standard_output;
     if (to_standard_output) {
         refuse_terminal("the picture is a PNG file", "dunes.png");
@@ -194,7 +200,8 @@ int perform(const StillOptions& asked) {
         draw_stored(options, run->string());
         return 0;
     }
-    const bool is_run = asks_step || !options.foreign.fields.empty() || is_pattern(options.input);
+    const bool is_run = asks_step || !options.colour.empty() || !options.foreign.fields.empty() ||
+                        is_pattern(options.input);
     if (is_run && is_foreign_run(options.input)) {
         draw_stored(options, options.input);
         return 0;

@@ -75,7 +75,9 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
             overlay.font_size =
                 std::max(6.0, film.settings.cap_height / cap_height_em * side / usual_side_pixels);
         if (differs() && overlay.kind == OverlayKind::colour_bar && overlay.text.empty())
-            overlay.text = "difference of height";
+            overlay.text = colours_field(stage_.scene.view.look.colour_by)
+                               ? "difference of " + stage_.scene.view.look.field
+                               : "difference of height";
     }
     stage_panes(looks);
     fix_ranges(shown_moments());
@@ -105,7 +107,8 @@ void FilmPainter::stage_panes(const std::vector<Override>& looks) {
     if (runs_.size() > 1) stage_.scene.view.look.exaggeration = stage_.block.exaggeration;
     if (differs()) {
         LookSettings& look = stage_.scene.view.look;
-        look.colour_by = Colouring::change;
+        look.colour_by =
+            colours_field(look.colour_by) ? Colouring::field_change : Colouring::change;
         look.palette = "vik";
         look.low = look.high = WordOrReal{"auto", 0.0};
     }
@@ -172,7 +175,7 @@ void FilmPainter::fix_colours(const std::set<Moment>& shown) {
             if (!ranged || (differs() && run > 0)) continue;
             const auto other = differs() ? panes_[1].beds->snapshot(bed_of(1, moment)) : nullptr;
             const auto [from, to] = colour_range(
-                look, *bed, coloured_values(look.colour_by, *bed, other ? *other : beds.first()));
+                look, *bed, coloured_values(look, *bed, other ? *other : beds.first()));
             low = std::min(low, from);
             high = std::max(high, to);
         }

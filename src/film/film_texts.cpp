@@ -77,7 +77,8 @@ std::string filmed_runs_text(const FilmRuns& runs) {
             list.back()["foreign"] = {{"fields", query->fields},
                                       {"time_pattern", query->time_pattern},
                                       {"time_unit", query->time_unit},
-                                      {"cell_size", query->cell_size}};
+                                      {"cell_size", query->cell_size},
+                                      {"scalars", query->scalars}};
     }
     return json_text(list);
 }
@@ -92,7 +93,8 @@ std::vector<FilmedRun> filmed_runs(const FilmTexts& texts, const std::string& fi
             if (item.contains("foreign")) {
                 const auto& query = item.at("foreign");
                 run.foreign = ForeignQuery{query.at("fields"), query.at("time_pattern"),
-                                           query.at("time_unit"), query.at("cell_size")};
+                                           query.at("time_unit"), query.at("cell_size"),
+                                           query.value("scalars", std::vector<std::string>())};
             }
             runs.push_back(std::move(run));
         }

@@ -91,7 +91,8 @@ std::string foreign_description(const ForeignRun& run) {
     std::string others;
     for (const std::string& other : run.others) others += (others.empty() ? "" : ", ") + other;
     if (!others.empty())
-        text += fmt::format("{:<10} {}; --field QUANTITY=NAME takes one\n", "not taken", others);
+        text += fmt::format("{:<10} {}; --colour NAME shows one, --field QUANTITY=NAME takes one\n",
+                            "not taken", others);
     for (const std::string& note : run.notes) text += fmt::format("{:<10} {}\n", "note", note);
     return text;
 }

@@ -8,6 +8,7 @@
 
 #include "base/elementary_angle.h"
 #include "base/error.h"
+#include "base/find_named.h"
 #include "base/snapshots/ground_range.h"
 
 namespace fumon {
@@ -20,14 +21,19 @@ void clear_missing(Grid& values) {
         if (!std::isfinite(value)) value = 0.0;
 }
 
-Grid read_of(const ForeignRun& run, Quantity quantity, std::size_t record) {
-    const ForeignField& field = *run.find(quantity);
-    Grid values = field.read(record);
-    if (values.nx() == run.nx && values.ny() == run.ny) return values;
+void check_size(const ForeignRun& run, const std::string& name, const Grid& values) {
+    if (values.nx() == run.nx && values.ny() == run.ny) return;
     throw InputError(
         fmt::format("{}: {} has {} x {} cells, the bed {} x {}; all fields of a run "
                     "need the same grid",
-                    run.name, field.name, values.nx(), values.ny(), run.nx, run.ny));
+                    run.name, name, values.nx(), values.ny(), run.nx, run.ny));
+}
+
+Grid read_of(const ForeignRun& run, Quantity quantity, std::size_t record) {
+    const ForeignField& field = *run.find(quantity);
+    Grid values = field.read(record);
+    check_size(run, field.name, values);
+    return values;
 }
 
 /// The depth of a record; NaN where the file has none.
@@ -94,6 +100,20 @@ Grid bed_values(const ForeignRun& run, std::size_t record) {
     return bed;
 }
 
+void add_water(const ForeignRun& run, std::size_t record, Snapshot& snapshot) {
+    Grid depth = depth_of(run, snapshot.bed, record);
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        const bool outside = !snapshot.nodata.empty() && snapshot.nodata.values()[i] != 0;
+        if (outside || !(depth.values()[i] > run.dry)) depth.values()[i] = 0.0;
+    }
+    Grid u = velocity_of(run, Quantity::velocity_x, Quantity::flux_x, depth, record);
+    Grid v = velocity_of(run, Quantity::velocity_y, Quantity::flux_y, depth, record);
+    turn_to_sides(run, u, v);
+    snapshot.fields.push_back({"water_depth", "depth of the water", "m", std::move(depth)});
+    snapshot.fields.push_back({"velocity_x", "velocity along x", "m/s", std::move(u)});
+    snapshot.fields.push_back({"velocity_y", "velocity along y", "m/s", std::move(v)});
+}
+
 /// Refuses fill values that the file does not name as such.
 void check_range(const ForeignRun& run, const Snapshot& snapshot, std::size_t record) {
     if (const std::string fault = beyond_ground(snapshot); !fault.empty())
@@ -138,18 +158,17 @@ Snapshot foreign_bed(const ForeignRun& run, std::size_t record) {
 
 Snapshot foreign_snapshot(const ForeignRun& run, std::size_t record) {
     Snapshot snapshot = foreign_bed(run, record);
-    if (!run.has_water()) return snapshot;
-    Grid depth = depth_of(run, snapshot.bed, record);
-    for (std::size_t i = 0; i < depth.size(); ++i) {
-        const bool outside = !snapshot.nodata.empty() && snapshot.nodata.values()[i] != 0;
-        if (outside || !(depth.values()[i] > run.dry)) depth.values()[i] = 0.0;
+    if (run.has_water()) add_water(run, record, snapshot);
+    if (run.find(Quantity::concentration) != nullptr)
+        snapshot.fields.push_back({"concentration", "sediment in the water", "kg/m3",
+                                   read_of(run, Quantity::concentration, record)});
+    for (const ForeignScalar& scalar : run.scalars) {
+        if (find_named(snapshot.fields, scalar.name) != nullptr) continue;
+        Grid values = scalar.read(record);
+        check_size(run, scalar.name, values);
+        snapshot.fields.push_back({scalar.name, scalar.long_name,
+                                   scalar.unit.empty() ? "1" : scalar.unit, std::move(values)});
     }
-    Grid u = velocity_of(run, Quantity::velocity_x, Quantity::flux_x, depth, record);
-    Grid v = velocity_of(run, Quantity::velocity_y, Quantity::flux_y, depth, record);
-    turn_to_sides(run, u, v);
-    snapshot.fields.push_back({"water_depth", "depth of the water", "m", std::move(depth)});
-    snapshot.fields.push_back({"velocity_x", "velocity along x", "m/s", std::move(u)});
-    snapshot.fields.push_back({"velocity_y", "velocity along y", "m/s", std::move(v)});
     check_range(run, snapshot, record);
     return snapshot;
 }

@@ -27,6 +27,16 @@ struct ForeignField {
     std::function<Grid(std::size_t record)> read;
 };
 
+/// A further map of another model's run, shown by its own name: shear stress, sediment …
+struct ForeignScalar {
+    std::string name;       ///< the variable
+    std::string long_name;  ///< as the file has it; else its name in words
+    std::string unit;       ///< in the file; empty where it names none
+    bool changes = false;   ///< with time
+    /// The values of a record as ForeignField has them, in the file's unit.
+    std::function<Grid(std::size_t record)> read;
+};
+
 /// When the records of a run were taken.
 struct ForeignTimes {
     std::vector<double> times;        ///< in `unit`, rising
@@ -51,7 +61,8 @@ struct ForeignRun {
     bool columns_fall = false;         ///< the columns run against those of the file, or its rows
     bool rows_fall = false;            ///< likewise the rows
     std::vector<ForeignField> fields;  ///< at most one of a quantity, the bed among them
-    std::vector<std::string> others;   ///< further maps: "hmax (timemax, n, m)"
+    std::vector<ForeignScalar> scalars{};  ///< those that were asked for
+    std::vector<std::string> others;       ///< further maps: "hmax (timemax, n, m)"
     ForeignTimes times;
     std::vector<double> numbers{};  ///< of a series of rasters: those in their names
     double dry = 0.0;               ///< metres, the least depth of water
@@ -63,16 +74,18 @@ struct ForeignRun {
 
 /// What a user says of a run of another model beside its file.
 struct ForeignQuery {
-    std::vector<std::string> fields{};  ///< "depth=h", "bed=dem.tif", "bed=grid.nc:zb"
-    std::string time_pattern{};         ///< of dates in names of files: "%Y-%m-%d"
-    std::string time_unit{};            ///< of numbers in names of files: "min"
-    double cell_size = 0.0;             ///< metres, of rasters that do not say theirs; 0: unknown
+    std::vector<std::string> fields{};   ///< "depth=h", "bed=dem.tif", "bed=grid.nc:zb"
+    std::string time_pattern{};          ///< of dates in names of files: "%Y-%m-%d"
+    std::string time_unit{};             ///< of numbers in names of files: "min"
+    double cell_size = 0.0;              ///< metres, of rasters that do not say theirs; 0: unknown
+    std::vector<std::string> scalars{};  ///< variables that snapshots have as fields of these names
 };
 
 /// The snapshot of a record. Cells without a bed are its no-data cells; water shallower than the
 /// run's `dry` is none. Velocities are those of the file, or its discharges over the depth, or 0;
 /// on a turned grid those by compass are turned to its sides, and others, which
-/// are along the file's columns and rows, change places and signs with these.
+/// are along the file's columns and rows, change places and signs with these. Concentrations and
+/// the run's scalars are fields too.
 /// Without a bed of its own it is the level minus the depth. Throws InputError for a damaged file
 /// and for a record without any bed.
 Snapshot foreign_snapshot(const ForeignRun& run, std::size_t record);

@@ -353,9 +353,10 @@ NetcdfPlace place_of_maps(const NetcdfInput& input, const BedVariable& map) {
     return place;
 }
 
-Grid read_map(const NetcdfInput& input, BedVariable map, const NetcdfPlace& place) {
+Grid read_map(const NetcdfInput& input, BedVariable map, const NetcdfPlace& place,
+              const ValuesReader& reader) {
     if (place.swapped) std::swap(map.x, map.y);
-    Grid values = read_cells(input, map);
+    Grid values = read_cells(input, map, reader);
     const MissingValues missing = missing_values(input, map.variable);
     const auto scales = input.numbers(map.variable, "scale_factor");
     const auto offsets = input.numbers(map.variable, "add_offset");

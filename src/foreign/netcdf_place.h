@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "files/netcdf/netcdf_cells.h"
 #include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_variable.h"
 
@@ -33,7 +34,9 @@ struct NetcdfPlace {
 NetcdfPlace place_of_maps(const NetcdfInput& input, const BedVariable& map);
 
 /// A record of a map in the file's own numbers, turned by its place; NaN where it has none.
-Grid read_map(const NetcdfInput& input, BedVariable map, const NetcdfPlace& place);
+/// `values` as read_cells() takes them.
+Grid read_map(const NetcdfInput& input, BedVariable map, const NetcdfPlace& place,
+              const ValuesReader& values = {});
 
 /// Whether a variable only says where maps lie: x, y, globalx …
 bool is_place_variable(const std::string& name);

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/nearest_name.h"
 #include "files/netcdf/netcdf_input.h"
 #include "files/unit_conversion.h"
 #include "foreign/field_choice.h"
@@ -23,6 +24,7 @@
 #include "foreign/mesh_volume.h"
 #include "foreign/netcdf_place.h"
 #include "foreign/netcdf_times.h"
+#include "foreign/records_ahead.h"
 #include "foreign/run_times.h"
 #include "foreign/variable_names.h"
 
@@ -121,7 +123,7 @@ void clear_usual_fill(std::span<double> values) {
 
 /// A record of a file's map in its own numbers.
 Grid read_record(const NetcdfInput& input, const ForeignMap& map, bool is_bed,
-                 const MapsPlace& place, std::size_t record) {
+                 const MapsPlace& place, std::size_t record, RecordsAhead& ahead) {
     if (place.mesh) {
         std::vector<double> values = place.mesh->values(input, map, record);
         if (is_bed) clear_usual_fill(values);
@@ -129,8 +131,12 @@ Grid read_record(const NetcdfInput& input, const ForeignMap& map, bool is_bed,
     }
     const std::int64_t number =
         map.variable.has_records ? static_cast<std::int64_t>(record) + 1 : 0;
-    Grid values =
-        read_map(input, choose_bed_variable(input, map.variable.name, {number}), place.cells);
+    const BedVariable chosen = choose_bed_variable(input, map.variable.name, {number});
+    Grid values = read_map(
+        input, chosen, place.cells,
+        [&](std::span<const std::size_t> start, std::span<const std::size_t> count, double* cells) {
+            ahead.read(input, chosen.variable, chosen.records, start, count, cells);
+        });
     if (is_bed) clear_usual_fill(values.values());
     return values;
 }
@@ -141,12 +147,13 @@ std::function<Grid(std::size_t)> reader_of(const std::shared_ptr<const RunRecord
                                            const UnitConversion& conversion) {
     const ForeignMap& map = chosen.map;
     const bool is_bed = chosen.quantity == Quantity::bed;
-    const auto read = [records, place, conversion, map, is_bed](std::size_t number) {
+    const auto ahead = std::make_shared<RecordsAhead>();
+    const auto read = [records, place, conversion, map, is_bed, ahead](std::size_t number) {
         const RecordPlace at = map.over_time ? records->places.at(number) : RecordPlace{};
         const fs::path& file = records->files[at.file];
         return reading(file, [&] {
             const NetcdfInput input(file);
-            Grid values = read_record(input, map, is_bed, place, at.record);
+            Grid values = read_record(input, map, is_bed, place, at.record, *ahead);
             for (double& value : values.values()) value = conversion(value);
             return values;
         });
@@ -222,6 +229,38 @@ void take_own_steps(const NetcdfInput& input, ForeignTimes& times) {
 bool is_by_compass(const ForeignMap& map) {
     return map.standard_name.find("eastward") != std::string::npos ||
            map.standard_name.find("northward") != std::string::npos;
+}
+
+/// "bed shear stress" of a variable's long_name, else of its own name.
+std::string words_of_map(const NetcdfInput& input, const ForeignMap& map) {
+    constexpr std::size_t longest = 60;
+    std::string words = input.text(map.variable.variable, "long_name").value_or("");
+    if (words.empty() || words.size() > longest) words = map.variable.name;
+    std::string spaced;
+    for (const char letter : words) {
+        const bool space = letter == '_' || letter == ' ';
+        if (!space || (!spaced.empty() && spaced.back() != ' ')) spaced += space ? ' ' : letter;
+    }
+    return spaced;
+}
+
+/// The map of a name that a user wants to see. Throws InputError, with those that there are.
+const ForeignMap& scalar_map(const NetcdfInput& input, const std::vector<ForeignMap>& maps,
+                             const std::string& name) {
+    std::vector<std::string> known;
+    for (const ForeignMap& map : maps) {
+        if (map.variable.name == name) return map;
+        known.push_back(map.variable.name);
+    }
+    throw InputError(fmt::format("{}: has no map \"{}\" to colour by; {}", input.name(), name,
+                                 suggestion(name, known)));
+}
+
+/// Fields that a run with these quantities has by fumon's own names.
+bool is_own_field(const std::string& name, const ForeignRun& run) {
+    const bool of_water = name == "water_depth" || name == "velocity_x" || name == "velocity_y";
+    return (of_water && run.has_water()) ||
+           (name == "concentration" && run.find(Quantity::concentration) != nullptr);
 }
 
 MapsPlace cells_place(const NetcdfInput& input, const ForeignMap& sides, ForeignRun& run) {
@@ -311,6 +350,21 @@ ForeignRun read_netcdf_run(const std::string& name, std::vector<fs::path> files,
                     return values;
                 });
             if (!error.empty()) run.notes.push_back(error);
+        }
+        for (const std::string& name : query.scalars) {
+            if (is_own_field(name, run)) continue;
+            const ForeignMap& map = scalar_map(input, maps, name);
+            if (!file.mesh &&
+                (map.variable.x != sides.variable.x || map.variable.y != sides.variable.y))
+                input.refuse(
+                    fmt::format("{} ({}) and {} ({}) lie on different grids", sides.variable.name,
+                                sides.dimensions, name, map.dimensions),
+                    "all fields of a run need the same grid");
+            ChosenMap one;
+            one.quantity = Quantity::concentration;  // any but the bed
+            one.map = map;
+            run.scalars.push_back({name, words_of_map(input, map), map.unit, map.over_time,
+                                   reader_of(records, one, place, UnitConversion{})});
         }
         for (const ForeignMap& map : maps) {
             if (std::ranges::none_of(chosen, [&](const ChosenMap& one) {

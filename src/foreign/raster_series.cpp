@@ -113,6 +113,12 @@ ForeignRun read_raster_series(const std::string& name, const std::vector<fs::pat
     };
     run.fields.push_back(std::move(field));
     run.files = ordered;
+    for (const std::string& scalar : query.scalars)
+        if (scalar != "water_depth" && scalar != "concentration")
+            throw InputError(
+                fmt::format("{}: has no map \"{}\" to colour by; a series of rasters "
+                            "has the fields water_depth and concentration alone",
+                            name, scalar));
     for (const std::string& text : query.fields) {
         const FieldRequest request = field_request(text);
         if (run.find(request.quantity) != nullptr)

@@ -32,8 +32,8 @@ void take_whole_range(LookSettings& look, const PanelSettings& panel, const Snap
     double low = std::numeric_limits<double>::max();
     double high = std::numeric_limits<double>::lowest();
     for (const Snapshot& snapshot : snapshots) {
-        const auto [least, greatest] = colour_range(
-            look, snapshot, coloured_values(look.colour_by, snapshot, first), tails_of(panel));
+        const auto [least, greatest] =
+            colour_range(look, snapshot, coloured_values(look, snapshot, first), tails_of(panel));
         low = std::min(low, least);
         high = std::max(high, greatest);
     }

@@ -17,6 +17,7 @@ void define(pybind11::module_& core) {
     define_scenes(core);
     define_runs(core);
     define_results(core);
+    define_node_mesh(core);
     define_beds(core);
     define_memory_beds(core);
     define_projections(core);

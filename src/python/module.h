@@ -13,6 +13,7 @@ void define_errors(pybind11::module_& core);
 void define_scenes(pybind11::module_& core);
 void define_runs(pybind11::module_& core);
 void define_results(pybind11::module_& core);
+void define_node_mesh(pybind11::module_& core);
 void define_beds(pybind11::module_& core);
 void define_memory_beds(pybind11::module_& core);
 void define_projections(pybind11::module_& core);

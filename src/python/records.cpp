@@ -69,13 +69,13 @@ std::tuple<std::vector<Recognised>, std::string, double> recognise(
 /// West, south, dx, dy, whether these are degrees, and the reference system.
 using PlaceTuple = std::tuple<double, double, double, double, bool, std::string>;
 
-RecordSource record_source(const std::string& name, const std::string& model, double dry,
-                           std::pair<int, int> shape,
-                           const std::optional<std::pair<double, double>>& cell_size,
-                           const std::optional<PlaceTuple>& place, std::vector<double> times,
-                           bool counted, std::optional<std::int64_t> origin,
-                           const std::map<std::string, py::function>& readers,
-                           const std::map<std::string, bool>& changes) {
+RecordSource record_source(
+    const std::string& name, const std::string& model, double dry, std::pair<int, int> shape,
+    const std::optional<std::pair<double, double>>& cell_size,
+    const std::optional<PlaceTuple>& place, std::vector<double> times, bool counted,
+    std::optional<std::int64_t> origin, const std::map<std::string, py::function>& readers,
+    const std::map<std::string, bool>& changes,
+    const std::map<std::string, std::pair<std::string, std::string>>& scalars) {
     ForeignRun run;
     run.name = run.title = name;
     run.model = model;
@@ -92,9 +92,13 @@ RecordSource record_source(const std::string& name, const std::string& model, do
     raw.counted = counted;
     raw.origin = origin;
     run.times = run_times(raw, name);
-    for (const auto& [key, reader] : readers)
+    for (const auto& [key, words] : scalars)
+        run.scalars.push_back({key, words.first, words.second, changes.at(key), {}});
+    for (const auto& [key, reader] : readers) {
+        if (scalars.contains(key)) continue;
         run.fields.push_back(
             {quantity_of(key), key, "", "", "an argument", changes.at(key), false, {}});
+    }
     return {std::move(run), readers};
 }
 
@@ -105,13 +109,14 @@ RecordSource::RecordSource(ForeignRun outline, std::map<std::string, py::functio
 
 ForeignRun RecordSource::run() const {
     ForeignRun run = outline_;
-    for (ForeignField& field : run.fields) {
-        const auto reader = kept(readers_.at(field.name));
-        field.read = [reader](std::size_t record) {
+    const auto reading = [&](const std::string& name) {
+        return [reader = kept(readers_.at(name))](std::size_t record) {
             const py::gil_scoped_acquire locked;
             return grid_of((*reader)(record).cast<GridArray>());
         };
-    }
+    };
+    for (ForeignField& field : run.fields) field.read = reading(field.name);
+    for (ForeignScalar& scalar : run.scalars) scalar.read = reading(scalar.name);
     return run;
 }
 
@@ -121,7 +126,8 @@ void define_records(py::module_& core) {
     py::class_<RecordSource>(core, "RecordSource")
         .def(py::init(&record_source), py::arg("name"), py::arg("model"), py::arg("dry"),
              py::arg("shape"), py::arg("cell_size"), py::arg("place"), py::arg("times"),
-             py::arg("counted"), py::arg("origin"), py::arg("readers"), py::arg("changes"));
+             py::arg("counted"), py::arg("origin"), py::arg("readers"), py::arg("changes"),
+             py::arg("scalars"));
 }
 
 }  // namespace fumon::python

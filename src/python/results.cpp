@@ -30,6 +30,7 @@
 #include "python/records.h"
 #include "run/terminal/interrupt.h"
 #include "scene/overlay_keys.h"
+#include "scene/scene_keys.h"
 
 namespace fumon::python {
 
@@ -283,6 +284,7 @@ void define_results(py::module_& core) {
             [](RecordPainter& painter, const RecordPainter::Planes& planes, std::int64_t step,
                double time) { return drawn_of(painter.draw(planes, step, time)); },
             py::arg("planes"), py::arg("step"), py::arg("time"));
+    core.def("colour_settings", &colour_settings, py::arg("colour"));
     core.def(
         "seconds_per_unit",
         [](const std::string& unit) -> std::optional<double> {

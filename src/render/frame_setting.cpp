@@ -71,7 +71,8 @@ FrameSetting::FrameSetting(const View& view_, const Snapshot& first_, std::int64
       kind(lens() ? PixelFormat::radiance : wanted_),
       block(framed_block(view, first)),
       plain(plain_of(view, first, pool)),
-      first_in_plain(plain ? std::optional(plain->around(first, pool)) : std::nullopt),
+      first_in_plain(plain ? std::optional(plain->around(first, pool, view.look.field))
+                           : std::nullopt),
       ground(plain ? plain->ground_of(block) : block),
       water(draws_water(view.look, first)),
       refinement(chosen_refinement(view, first, first_ground(), limits.draft)),

@@ -17,10 +17,13 @@ PictureDrawing::PictureDrawing(RendererState& state, const ReadyPicture& picture
     RendererState& s = state_;
     if (picture.pose.reference)
         reference_ = FrameSetting::shown_first(drawable(*picture.pose.reference), s.view);
-    if (reference_ && s.plain)
-        reference_ = s.plain->is_drained()
-                         ? s.plain->around(*reference_, s.pool)
-                         : SurroundingPlain(*reference_, s.pool).around(*reference_, s.pool);
+    if (reference_ && s.plain) {
+        const std::string& coloured = s.view.look.field;
+        reference_ =
+            s.plain->is_drained()
+                ? s.plain->around(*reference_, s.pool, coloured)
+                : SurroundingPlain(*reference_, s.pool).around(*reference_, s.pool, coloured);
+    }
     const bool held = s.uploaded == picture.lit && !reference_;
     fresh_ = !held || !s.world;
     s.uploaded = reference_ ? nullptr : picture.lit;

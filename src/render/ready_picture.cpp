@@ -35,9 +35,12 @@ std::shared_ptr<const LitBed> RendererState::lit_bed(const ReadyPicture& picture
     lit->snapshot = picture.snapshot;
     lit->sun = sun;
     if (world) {
-        if (plain)
-            lit->in_plain = plain->is_drained() ? plain->around(shown, with)
-                                                : SurroundingPlain(shown, with).around(shown, with);
+        if (plain) {
+            const std::string& coloured = view.look.field;
+            lit->in_plain = plain->is_drained()
+                                ? plain->around(shown, with, coloured)
+                                : SurroundingPlain(shown, with).around(shown, with, coloured);
+        }
         if (plain && water) {
             lit->water_tile = plain->own_tile(*lit->in_plain);
             lit->water_tile->rain = plain->rain_over_tile(shown);

@@ -69,6 +69,12 @@ RendererState::RendererState(gl::Context& context_, const View& view_, const Sna
     if (!view.tracks.empty()) tracks.emplace(view, block, first, fixed);
     if (world && view.streamers.strength > 0.0)
         streamers.emplace(view, block, plan.tiles.front().width, plan.tiles.front().height);
+    // From now on of the first snapshot only its bed is compared with, and a field that is
+    // coloured.
+    for (SnapshotField& field : first.fields) {
+        const bool of_water = field.name == "water_depth" || field.name.starts_with("velocity_");
+        if (of_water && field.name != view.look.field) field.values = {};
+    }
     gl::check_errors("the renderer's setup");
 }
 

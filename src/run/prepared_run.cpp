@@ -72,8 +72,16 @@ void check_marking(const Scene& scene, const Snapshot& first) {
                     scene.at("look.mark"), models_of(Landform::pile), scene.model.name));
 }
 
-/// Colours that mean the water need a model that has some.
+/// Colours that mean the water, or a field, need a model that has it.
 void check_colouring(const Scene& scene, const Snapshot& first) {
+    if (colours_field(scene.view.look.colour_by)) {
+        try {
+            static_cast<void>(coloured_field(scene.view.look, first));
+        } catch (const InputError& fault) {
+            throw InputError(scene.at("look.field") + fault.what());
+        }
+        return;
+    }
     if (!colours_water(scene.view.look.colour_by) || has_water(first)) return;
     throw InputError(
         fmt::format("{}look.colour_by shows the water, and the model {} has none; take height, "
@@ -176,7 +184,7 @@ void read_edge_tables(Scene& scene) {
 /// Whether a scene shows more than the bed, which a model may not have.
 bool asks_for_more(const Scene& scene) {
     const LookSettings& look = scene.view.look;
-    return look.mark != Marking::none || colours_water(look.colour_by) ||
+    return look.mark != Marking::none || leaves_cells_uncoloured(look.colour_by) ||
            look.mode == ViewMode::figure || scene.view.section != SectionSettings{} ||
            has_overlays(scene) || scene.output.world_files || scene.output.geotiff_frames ||
            scene.output.exr_frames || !scene.view.persons.empty() || !scene.view.tracks.empty() ||

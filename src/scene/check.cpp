@@ -244,6 +244,10 @@ void check_lens(const Scene& scene, Faults& faults) {
 void check_look(const Scene& scene, Faults& faults) {
     const Refuse refuse{scene, faults};
     const LookSettings& look = scene.view.look;
+    const bool by_field =
+        look.colour_by == Colouring::field || look.colour_by == Colouring::field_change;
+    if (by_field && look.field.empty())
+        refuse("look.colour_by", "look.colour_by = \"field\" needs look.field, the field's name");
     if (!look.low.is_word() && !look.high.is_word() && !(look.low.value < look.high.value)) {
         refuse("look.high", fmt::format("look.high ({}) must be above look.low ({})",
                                         look.high.value, look.low.value));

@@ -1,5 +1,10 @@
 #include "scene/scene_keys.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
 #include "base/limits.h"
 #include "files/terrain/terrain_format.h"
 #include "keys/keys.h"
@@ -301,6 +306,25 @@ Scene default_scene(const std::string& model) {
         scene.bed.high = entry->home.noise_height;
     }
     return scene;
+}
+
+std::vector<std::string> colour_settings(const std::string& colour) {
+    if (colour.empty()) return {};
+    Scene scene;
+    const KeyTable table = scene_keys(scene);
+    const auto& choice = std::get<ChoiceTarget>(table.find("look.colour_by")->target);
+    const bool is_word =
+        std::ranges::find(choice.words, colour, &KeyWord::word) != choice.words.end();
+    std::vector<std::string> settings;
+    if (is_word) {
+        settings.push_back(fmt::format("look.colour_by=\"{}\"", colour));
+    } else {
+        settings.emplace_back("look.colour_by=\"field\"");
+        settings.push_back(fmt::format("look.field=\"{}\"", colour));
+    }
+    const bool balanced = colour == "change";
+    settings.push_back(fmt::format("look.palette=\"{}\"", balanced ? "vik" : "viridis"));
+    return settings;
 }
 
 }  // namespace fumon

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "foreign/foreign_layouts.h"
+#include "picture/png.h"
 #include "support/program.h"
 
 namespace fumon::test {
@@ -91,6 +92,55 @@ TEST_F(ForeignFilm, RecordsAreMeasuredARowEach) {
     ASSERT_EQ(measured.status, 0) << measured.errors;
     EXPECT_TRUE(measured.output.starts_with("step,time_min,date,")) << measured.output;
     EXPECT_NE(measured.output.find("\n2,60,2019-08-31 15:00 UTC,"), std::string::npos);
+}
+
+TEST_F(ForeignFilm, AMapOfTheFileColoursTheGround) {
+    const auto still = [&](const std::string& file, std::vector<std::string> more) {
+        std::vector<std::string> all{
+            "still", "flood.nc", "--step",          "2",     "-o",
+            file,    "--set",    "image.width=320", "--set", "image.height=240"};
+        all.insert(all.end(), more.begin(), more.end());
+        return run(all);
+    };
+    ASSERT_EQ(still("plain.png", {}).status, 0);
+    const Ended coloured = still("coloured.png", {"--colour", "hmax"});
+    ASSERT_EQ(coloured.status, 0) << coloured.errors;
+    ASSERT_EQ(still("set.png", {"--set", "look.colour_by=field", "--set", "look.field=hmax",
+                                "--set", "look.palette=viridis"})
+                  .status,
+              0);
+    EXPECT_NE(read_text(folder_ / "plain.png"), read_text(folder_ / "coloured.png"));
+    EXPECT_EQ(read_png(folder_ / "set.png"), read_png(folder_ / "coloured.png"));
+    const Ended unknown = still("no.png", {"--colour", "hmaxx"});
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_EQ(unknown.errors,
+              "flood.nc: has no map \"hmaxx\" to colour by; did you mean \"hmax\"?\n");
+    EXPECT_FALSE(fs::exists(folder_ / "no.png"));
+}
+
+TEST_F(ForeignFilm, AFilmByRuleIsPrintedAndColoured) {
+    const Ended printed = run({"film", "flood.nc", "--print", "--colour", "hmax"});
+    ASSERT_EQ(printed.status, 0) << printed.errors;
+    for (const char* line : {"colour_by = \"field\"", "field = \"hmax\"", "kind = \"colour-bar\""})
+        EXPECT_NE(printed.output.find(line), std::string::npos) << line << "\n" << printed.output;
+    write_text(folder_ / "printed.toml", printed.output);
+    const Ended checked = run({"check", "printed.toml", "--run", "flood.nc"});
+    EXPECT_EQ(checked.status, 0) << checked.errors;
+}
+
+TEST_F(ForeignFilm, AColouredFilmIsMadeAgainFromItsFile) {
+    const Ended made = run({"film", "flood.nc", "film.toml", "--colour", "hmax", "-o", "a.mp4"});
+    ASSERT_EQ(made.status, 0) << made.errors;
+    const Ended again = run({"again", "a.mp4", "-o", "b.mp4"});
+    EXPECT_NE(again.errors.find("b.mp4: the same bytes as a.mp4"), std::string::npos)
+        << again.errors;
+    write_text(folder_ / "difference.toml",
+               std::string(film_of_dates) +
+                   "[panes]\nshow = \"difference\"\n[look]\ncolour_by = "
+                   "\"field\"\nfield = \"hmax\"\n");
+    fs::copy(folder_ / "flood.nc", folder_ / "other.nc");
+    const Ended two = run({"film", "flood.nc", "other.nc", "difference.toml", "-o", "c.mp4"});
+    EXPECT_EQ(two.status, 0) << two.errors;
 }
 
 TEST_F(ForeignFilm, WhatIsNotReadIsOneLineAndWritesNothing) {

@@ -150,6 +150,56 @@ class Grid:
         self.at_node = {"topographic__elevation": values["zb"].values.ravel(), "surface_water__depth": np.zeros(12 * 16)}
 
 
+class HexGrid:
+    """What of a HexModelGrid of Landlab is used: rows of nodes, every other one shifted by half of the spacing."""
+
+    def __init__(self, rows=6, columns=7, spacing=10.0):
+        nodes = [(spacing * (column + 0.5 * (row % 2)), spacing * 0.75 ** 0.5 * row) for row in range(rows) for column in range(columns)]
+        self.x_of_node, self.y_of_node = np.array(nodes).T
+        self.nodes_at_patch = []
+        for row in range(rows - 1):
+            for first in range(columns * row, columns * row + columns - 1):
+                above = first + columns
+                self.nodes_at_patch += ([(first, first + 1, above), (first + 1, above + 1, above)] if row % 2 == 0 else
+                                        [(first, first + 1, above + 1), (first, above + 1, above)])
+        self.at_node = {"topographic__elevation": 2.0 * self.x_of_node - self.y_of_node,
+                        "surface_water__depth": np.zeros(rows * columns)}
+
+
+def test_a_grid_of_hexagons_is_laid_on_cells(tmp_path):
+    grid = HexGrid()
+    bed = fumon.terrain.bed_of(grid)
+    assert bed.cell_size == (5.0, 5.0)  # half the edge
+    y, x = 5.0 * (np.arange(bed.heights.shape[0]) + 0.5), 5.0 * (np.arange(bed.heights.shape[1]) + 0.5)
+    inside = bed.nodata == 0
+    assert inside.mean() > 0.8 and not inside.all()  # every other row begins half a spacing further east
+    assert np.abs(bed.heights - (2.0 * x - y[:, None]))[inside].max() < 1e-4  # a plane stays one
+    assert fumon.terrain.bed_of(grid, 2.0).cell_size == (2.0, 2.0)
+    with fumon.film(tmp_path / "hexagons.mp4", rate=5, time_unit="yr", **SMALL) as film:
+        dry = film.add(grid, time=0.0)
+        grid.at_node["surface_water__depth"][:] = 2.0
+        assert np.abs(dry.astype(int) - film.add(grid, time=1.0)).mean() > 2
+    other = HexGrid()
+    del other.nodes_at_patch
+    with pytest.raises(TypeError, match="nodes_at_patch"):
+        fumon.render(other)
+
+
+def test_a_variable_colours_the_ground(tmp_path):
+    data = flood().assign(tau=(("time", "y", "x"), np.arange(3 * 12 * 16.0).reshape(3, 12, 16), {"units": "Pa"}))
+    data.to_netcdf(tmp_path / "flood.nc")
+    plain, run = fumon.open(tmp_path / "flood.nc", **SMALL), fumon.open(tmp_path / "flood.nc", colour="tau", **SMALL)
+    assert "tau" not in plain[1].fields and run[1].fields["tau"][2, 3] == 192 + 2 * 16 + 3
+    assert np.abs(run.image().astype(int) - plain.image()).mean() > 5
+    assert np.array_equal(data.fumon.results(colour="tau", **SMALL)[1].fields["tau"], run[1].fields["tau"])
+    assert np.array_equal(fumon.open(tmp_path / "flood.nc", look_colour_by="field", look_field="tau", look_palette="viridis",
+                                     **SMALL).image(), run.image())
+    with pytest.raises(fumon.InputError, match="did you mean \"tau\"?"):
+        fumon.open(tmp_path / "flood.nc", colour="tua")
+    with pytest.raises(ValueError, match="no map 'tua'"):
+        data.fumon.results(colour="tua")
+
+
 def test_a_film_grows_with_a_running_model(tmp_path):
     grid = Grid()
     with fumon.film(tmp_path / "grown.mp4", rate=5, time_unit="s", **SMALL) as film:

@@ -25,6 +25,7 @@ class NetcdfMaker {
     NetcdfMaker(const NetcdfMaker&) = delete;
     NetcdfMaker& operator=(const NetcdfMaker&) = delete;
 
+    [[nodiscard]] int id() const { return id_; }
     [[nodiscard]] int dimension(const char* name, std::size_t length) const {
         int dimension = 0;
         must(nc_def_dim(id_, name, length, &dimension));

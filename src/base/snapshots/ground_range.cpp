@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -40,21 +41,33 @@ std::string beyond_scale(const WorldScale& scale) {
                        number_text(scale.height_unit), smallest_height_unit, largest_height_unit);
 }
 
+/// Fields that are drawn as water, sand, rock and plants. Others colour the ground, and may have
+/// cells without a value (NaN).
+constexpr std::array<std::string_view, 12> whole_fields{
+    "water_depth", "velocity_x",  "velocity_y",     "sand",  "rock",   "cover",
+    "moving_sand", "wind_shadow", "last_avalanche", "grass", "shrubs", "water_level"};
+
 /// In cells without data a field may hold anything.
 std::string beyond_field(const SnapshotField& field, const Mask& nodata) {
     std::size_t cell = first_beyond(field.values, largest_field_value);
-    if (nodata.size() == field.values.size()) {
-        while (cell < field.values.size() &&
-               (nodata.values()[cell] != 0 ||
-                std::abs(field.values.values()[cell]) <= largest_field_value))
-            ++cell;
-    }
+    const bool masked = nodata.size() == field.values.size();
+    const bool whole = !may_have_gaps(field.name);
+    const auto may_be = [&](std::size_t at) {
+        const double value = field.values.values()[at];
+        return (masked && nodata.values()[at] != 0) || std::abs(value) <= largest_field_value ||
+               (!whole && std::isnan(value));
+    };
+    while ((masked || !whole) && cell < field.values.size() && may_be(cell)) ++cell;
     if (cell == field.values.size()) return {};
     return cell_text(field.name, field.values, cell, 1.0) +
            fmt::format("; it has values up to ±{:g}", largest_field_value);
 }
 
 }  // namespace
+
+bool may_have_gaps(std::string_view field) {
+    return std::ranges::find(whole_fields, field) == whole_fields.end();
+}
 
 std::size_t first_beyond(const Grid& field, double most) {
     // Whether there is one is asked of whole blocks, in a loop without a branch.

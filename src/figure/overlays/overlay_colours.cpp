@@ -6,6 +6,7 @@
 #include "figure/overlays/overlay.h"
 #include "figure/overlays/overlay_text.h"
 #include "figure/panels/colour_bar.h"
+#include "figure/panels/map_picture.h"
 #include "figure/words/words.h"
 #include "render/colour/colouring.h"
 
@@ -19,8 +20,9 @@ struct ColourQuantity {
     double factor = 1.0;  ///< from the unit of colour_range() to the label's
 };
 
-/// `called`: the name of a height; empty: the usual one.
-ColourQuantity quantity_of(Colouring colour_by, const Snapshot& first, const std::string& called) {
+/// `called`: the name of a height or a field; empty: the usual one.
+ColourQuantity quantity_of(const LookSettings& look, const Snapshot& first,
+                           const std::string& called) {
     const WorldScale& scale = first.scale;
     const auto height = [&](Word usual) -> ColourQuantity {
         const std::string name = called.empty() ? word(usual) : called;
@@ -32,7 +34,10 @@ ColourQuantity quantity_of(Colouring colour_by, const Snapshot& first, const std
         return {fmt::format("{} ({})", name, small ? "mm" : "m"),
                 (small ? 1e3 : 1.0) * scale.height_unit};
     };
-    switch (colour_by) {
+    switch (look.colour_by) {
+        case Colouring::field:
+        case Colouring::field_change:
+            return {field_label(look, first, called), 1.0};
         case Colouring::slope:
             return {labelled("slope", "°"), 1.0};
         case Colouring::change:
@@ -57,7 +62,7 @@ ColourQuantity quantity_of(Colouring colour_by, const Snapshot& first, const std
 class ColourBarOverlay : public Overlay {
   public:
     ColourBarOverlay(const OverlayScene& on, double length, const std::string& called)
-        : quantity_(quantity_of(on.scene.view.look.colour_by, on.shown, called)), length_(length) {
+        : quantity_(quantity_of(on.scene.view.look, on.shown, called)), length_(length) {
         scale_.palette = chosen_palette(on.scene.view.look);
         const LookSettings& look = on.scene.view.look;
         const bool of_frame = look.range == ColourSpan::frame && ranges_by_values(look);

@@ -28,6 +28,7 @@ struct Quantity {
     const char* palette = "viridis";
 };
 
+/// Of a field the label is empty: the snapshot names it.
 Quantity quantity_of(Colouring colour_by, const WorldScale& scale,
                      std::pair<double, double> range) {
     const double largest = std::max(std::abs(range.first), std::abs(range.second));
@@ -36,6 +37,10 @@ Quantity quantity_of(Colouring colour_by, const WorldScale& scale,
         return Quantity{labelled(name, unit.symbol), scale.height_unit / unit.length, palette};
     };
     switch (colour_by) {
+        case Colouring::field:
+            return {"", 1.0, "viridis"};
+        case Colouring::field_change:
+            return {"", 1.0, "vik"};
         case Colouring::slope:
             return {labelled("slope", "°"), 1.0, "viridis"};
         case Colouring::change:
@@ -178,6 +183,16 @@ Image on_background(const Image& cells, const MapPicture& picture, int most,
 
 }  // namespace
 
+std::string field_label(const LookSettings& look, const Snapshot& snapshot,
+                        const std::string& called) {
+    const SnapshotField& field = coloured_field(look, snapshot);
+    std::string name = called.empty() ? field.long_name : called;
+    if (called.empty() && look.colour_by == Colouring::field_change)
+        name = phrase("change of {}", name);
+    const bool has_unit = !field.unit.empty() && field.unit != "1" && field.unit != "-";
+    return has_unit ? fmt::format("{} ({})", name, field.unit) : name;
+}
+
 const char* usual_palette(Colouring colour_by) {
     return quantity_of(colour_by, {}, {0.0, 1.0}).palette;
 }
@@ -188,7 +203,7 @@ std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const S
                                     std::numeric_limits<double>::lowest()};
     std::vector<Field<float>> coloured;
     for (const Snapshot& snapshot : snapshots) {
-        coloured.push_back(coloured_values(look.colour_by, snapshot, first));
+        coloured.push_back(coloured_values(look, snapshot, first));
         const auto [low, high] = colour_range(look, snapshot, coloured.back(), tails);
         range = {std::min(range.first, low), std::max(range.second, high)};
     }
@@ -196,13 +211,14 @@ std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const S
     for (std::size_t k = 0; k < snapshots.size(); ++k) {
         const Snapshot& snapshot = snapshots[k];
         const Field<float> values = std::exchange(coloured[k], {});
-        const Quantity quantity = quantity_of(look.colour_by, snapshot.scale, range);
+        Quantity quantity = quantity_of(look.colour_by, snapshot.scale, range);
+        if (quantity.label.empty()) quantity.label = field_label(look, snapshot);
         MapPicture picture;
         picture.values = Grid(values.nx(), values.ny());
         std::transform(values.values().begin(), values.values().end(),
                        picture.values.values().begin(),
                        [&](float value) { return quantity.factor * static_cast<double>(value); });
-        picture.blank = uncoloured_cells(look.colour_by, snapshot);
+        picture.blank = uncoloured_cells(look, snapshot);
         picture.scale = snapshot.scale;
         picture.colours = {palette_of(look, quantity.palette), quantity.factor * range.first,
                            quantity.factor * range.second, quantity.label};
@@ -222,7 +238,10 @@ MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot, std
     if (field == nullptr) throw InputError(fmt::format("the model has no field \"{}\"", name));
     MapPicture picture;
     picture.values = field->values;
-    picture.blank = snapshot.nodata;
+    LookSettings by_name = look;
+    by_name.colour_by = Colouring::field;
+    by_name.field = field->name;
+    picture.blank = uncoloured_cells(by_name, snapshot);
     picture.scale = snapshot.scale;
     std::vector<double> known = known_values(picture);
     double low = percentile(known, tails.low);

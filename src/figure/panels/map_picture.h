@@ -30,6 +30,12 @@ struct MapPicture {
 /// sand.
 const char* usual_palette(Colouring colour_by);
 
+/// What a colour bar of the field that look.field names says, or of its change: the name, in words
+/// where the model has some, and the unit. `called`: another name. Throws InputError where the
+/// snapshot has no such field.
+std::string field_label(const LookSettings& look, const Snapshot& snapshot,
+                        const std::string& called = {});
+
 /// A picture of what look.colour_by says, with look's palette ("sand", the one for beds seen as
 /// sand, gives way to one that suits the quantity) and range, in metres or millimetres of height
 /// where the snapshot has metres. `first` is the reference of "change". Natural colouring shows the

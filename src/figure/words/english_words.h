@@ -21,6 +21,7 @@ inline constexpr std::array english_words = std::to_array<std::string_view>({
     // colours
     "height",
     "change of height",
+    "change of {}",
     "slope",
     "depth",
     "water depth",

@@ -51,7 +51,7 @@ double wrap_of(const NetcdfInput& input, int variable) {
 
 /// The values of one plane of a variable; `record` along `records`, 0 along all others.
 Grid read_values(const NetcdfInput& input, int variable, int y, int x, int records,
-                 std::size_t record) {
+                 std::size_t record, const ValuesReader& read = {}) {
     const std::vector<int> over = input.dimensions(variable);
     std::vector<std::size_t> start(over.size(), 0);
     std::vector<std::size_t> count(over.size(), 1);
@@ -67,8 +67,12 @@ Grid read_values(const NetcdfInput& input, int variable, int y, int x, int recor
     const auto nx = static_cast<int>(input.dimension_length(x));
     const auto ny = static_cast<int>(input.dimension_length(y));
     Grid values(columns_first ? ny : nx, columns_first ? nx : ny);
-    check_netcdf(
-        nc_get_vara_double(input.id(), variable, start.data(), count.data(), values.data()));
+    if (read) {
+        read(start, count, values.data());
+    } else {
+        check_netcdf(
+            nc_get_vara_double(input.id(), variable, start.data(), count.data(), values.data()));
+    }
     const double wrap = wrap_of(input, variable);
     for (double& value : values.values()) {
         if (wrap > 0.0 && value < 0.0) value += wrap;
@@ -121,8 +125,8 @@ MissingValues missing_values(const NetcdfInput& input, int variable) {
     return missing;
 }
 
-Grid read_cells(const NetcdfInput& input, const BedVariable& bed) {
-    return read_values(input, bed.variable, bed.y, bed.x, bed.records, bed.record);
+Grid read_cells(const NetcdfInput& input, const BedVariable& bed, const ValuesReader& values) {
+    return read_values(input, bed.variable, bed.y, bed.x, bed.records, bed.record, values);
 }
 
 Grid read_plane(const NetcdfInput& input, int variable, int y, int x) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/snapshot_lookup.h"
+#include "render/colour/colouring.h"
 #include "render/life/plant_layer.h"
 
 namespace fumon {
@@ -22,6 +23,7 @@ std::string_view missing_besides_beds(const Snapshot& first, const View& view) {
     if (first.landform == Landform::water) return "their water";
     const Marking mark = view.look.mark;
     if (mark == Marking::last_avalanche) return "their avalanches";
+    if (colours_field(view.look.colour_by)) return "that field";
     const bool marked_plants =
         mark == Marking::ground && find_named(first.fields, "cover") != nullptr;
     const bool flux_of_fields = find_named(first.fields, "moving_sand") != nullptr;

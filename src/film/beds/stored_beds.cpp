@@ -32,6 +32,11 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_cached_beds = 4;  // a cross-fade of two shots, and what comes next
+constexpr std::size_t most_cached_bytes = std::size_t{96} << 20U;  // of more than one
+
+std::size_t bytes_of(const Snapshot& snapshot) {
+    return snapshot.bed.size() * sizeof(double) * (1 + snapshot.fields.size());
+}
 
 /// A JSON value as TOML: objects as inline tables.
 std::string toml_value(const Json& value) {
@@ -152,17 +157,23 @@ std::vector<StoredBed> beds_of(const Json& manifest, const fs::path& folder, con
     return beds;
 }
 
-/// What is kept by a number, else what is read, which is kept then in the place of the oldest.
+/// What is kept by a number, else what is read, which is kept then in the place of the oldest. Of
+/// `like`, an outline of it, the oldest go before it is read.
 template <class Kept, class Read>
 std::shared_ptr<const Snapshot> kept_or(std::vector<Kept>& all, std::size_t number,
-                                        const Read& read) {
+                                        const Snapshot& like, const Read& read) {
     const auto found = std::ranges::find(all, number, &Kept::number);
-    Kept kept =
-        found != all.end() ? *found : Kept{number, std::make_shared<const Snapshot>(read())};
-    if (found != all.end()) all.erase(found);
-    all.push_back(kept);
-    if (all.size() > most_cached_beds) all.erase(all.begin());
-    return kept.snapshot;
+    if (found != all.end()) {
+        std::rotate(found, found + 1, all.end());
+        return all.back().snapshot;
+    }
+    const std::size_t bytes = std::max<std::size_t>(1, bytes_of(like));
+    const std::size_t most =
+        std::clamp<std::size_t>(most_cached_bytes / bytes, 1, most_cached_beds);
+    if (all.size() >= most)
+        all.erase(all.begin(), all.end() - static_cast<std::ptrdiff_t>(most - 1));
+    all.push_back({number, std::make_shared<const Snapshot>(read())});
+    return all.back().snapshot;
 }
 
 Scene scene_of_bed(const Scene& scene, const fs::path& file) {
@@ -296,7 +307,7 @@ Snapshot StoredBeds::read(std::size_t number, const Snapshot& outline) const {
 }
 
 std::shared_ptr<const Snapshot> StoredBeds::snapshot(std::size_t number) const {
-    return kept_or(kept_, number, [&] { return read(number, first_); });
+    return kept_or(kept_, number, first_, [&] { return read(number, first_); });
 }
 
 std::shared_ptr<const Snapshot> StoredBeds::heights(std::size_t number) const {
@@ -308,7 +319,7 @@ std::shared_ptr<const Snapshot> StoredBeds::heights(std::size_t number) const {
         bare_->numbers.clear();
         bare_->section.reset();
     }
-    return kept_or(kept_heights_, number, [&] { return read(number, *bare_); });
+    return kept_or(kept_heights_, number, *bare_, [&] { return read(number, *bare_); });
 }
 
 std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string>& names) const {

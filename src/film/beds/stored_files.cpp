@@ -66,8 +66,22 @@ bool is_run_of_fumon(const fs::path& file) {
     }
 }
 
+constexpr const char* bar_of_colours = R"([[overlay]]
+kind = "colour-bar"
+corner = "lower-right"
+)";
+
+/// What a user wants to see beside the query's maps: the field of the look.
+ForeignQuery with_field_of(ForeignQuery query, const std::vector<std::string>& settings) {
+    for (const Override& setting : read_settings(settings))
+        if (setting.path == "look.field") query.scalars.push_back(plain_text(setting));
+    return query;
+}
+
 Scene scene_of_foreign(const ForeignRun& run, const std::vector<std::string>& settings) {
     Scene scene = parse_scene(foreign_scene, "", "", settings);
+    if (scene.view.look.colour_by != Colouring::natural)
+        scene = parse_scene(std::string(foreign_scene) + bar_of_colours, "", "", settings);
     std::erase_if(scene.locations,
                   [](const auto& entry) { return !entry.second.starts_with("--set"); });
     if (scene.title.empty()) scene.title = run.title;
@@ -103,7 +117,8 @@ StoredBeds StoredBeds::of_files(const std::string& argument, int threads,
                                 const ForeignQuery& query) {
     if (query.fields.empty() && is_run_of_fumon(argument))
         return of_own_fields(argument, threads, settings);
-    return of_foreign(open_foreign_run(argument, query), query, settings);
+    const ForeignQuery asked = with_field_of(query, settings);
+    return of_foreign(open_foreign_run(argument, asked), asked, settings);
 }
 
 StoredBeds StoredBeds::of_records(ForeignRun run, const std::vector<std::string>& settings) {
@@ -166,6 +181,7 @@ StoredBeds StoredBeds::of_foreign(ForeignRun run, const ForeignQuery& query,
         ready.initial.inputs.push_back({foreign.files[i].string(), hash_of(foreign.files[i])});
     stored.run_.scene = std::move(ready.scene);
     stored.run_.initial = std::move(ready.initial);
+    stored.run_.initial.bed = {};  // which nothing steps
     check_shown(stored.run_.scene, stored.first_);
     return stored;
 }

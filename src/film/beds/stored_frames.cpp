@@ -103,8 +103,8 @@ void StoredFrames::fix_colours() {
         const SharedSnapshot bed = beds_.snapshot(static_cast<std::size_t>(place));
         const std::optional<Snapshot> reshaped = shown_snapshot(*bed, scene_.view);
         const Snapshot& shown = reshaped ? *reshaped : *bed;
-        const FrameColourRange colours = frame_colour_range(
-            look, shown, coloured_values(look.colour_by, shown, first), {}, true);
+        const FrameColourRange colours =
+            frame_colour_range(look, shown, coloured_values(look, shown, first), {}, true);
         if (!colours.kept) continue;  // its values are one
         low = std::min(low, colours.low);
         high = std::max(high, colours.high);

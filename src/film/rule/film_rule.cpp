@@ -50,6 +50,7 @@ class RuledFilm {
           style_(facts_of(rule.style)),
           look_(look_at_run(runs.first())),
           run_(std::move(run)),
+          colours_(rule.colours),
           seconds_(rule.seconds != 0.0 ? rule.seconds : style_.seconds) {
         if (!(seconds_ >= shortest_film_by_rule)) {
             throw InputError(fmt::format("--seconds {}: a film by rule takes {} s at least",
@@ -69,17 +70,31 @@ class RuledFilm {
     }
 
   private:
+    /// The colours that were asked for.
+    [[nodiscard]] std::string colour_settings() const {
+        std::string text;
+        for (const Override& setting : colours_)
+            text += fmt::format("{} = {}\n", setting.path.substr(setting.path.find('.') + 1),
+                                setting.value);
+        return text;
+    }
+
     [[nodiscard]] std::string settings() const {
         std::string text =
             fmt::format("[film]\nsize = \"{}\"\nrate = 30\nplates = \"none\"\n", style_.size);
         if (style_.cap_height != 28.0)
             text += fmt::format("cap_height = {}        # larger letters, for small screens\n",
                                 style_.cap_height);
+        std::string look;
         if (look_.widened)
-            text +=
-                "\n[look]\nground = \"endless\"      # sand to the horizon; without this line "
+            look +=
+                "ground = \"endless\"      # sand to the horizon; without this line "
                 "the block on its table\n";
-        if (look_.land) text += land_settings();
+        if (look_.land) look += land_settings();
+        look += colour_settings();
+        if (!look.empty()) text += "\n[look]\n" + look;
+        if (look_.land && look_.showery)
+            text += "\n[air]\nclouds = \"cumulus\"\ncloud_cover = 0.6\n";
         return text;
     }
 
@@ -87,11 +102,10 @@ class RuledFilm {
     [[nodiscard]] std::string land_settings() const {
         const bool plain = runs_.first().scene().view.look.cover == LandCover::bare;
         std::string text =
-            "\n[look]\nground = \"endless\"      # invented land around the bed; without this "
+            "ground = \"endless\"      # invented land around the bed; without this "
             "line the block on its table\n";
         if (plain) text += "cover = \"auto\"          # grass, soil and rock by rule, not data\n";
         text += "survey_edge = \"line\"    # where the data end\ncontrast = 1.1\n";
-        if (look_.showery) text += "\n[air]\nclouds = \"cumulus\"\ncloud_cover = 0.6\n";
         return text;
     }
 
@@ -358,6 +372,10 @@ class RuledFilm {
                 "kind = \"scale-bar\"\ncorner = \"lower-left\"\n\n";
         if (!first.winds.empty() && landform() == Landform::bed)
             text += "[[overlay]]\nkind = \"arrow\"\ncorner = \"upper-right\"\n\n";
+        const bool coloured = runs_.first().scene().view.look.colour_by != Colouring::natural;
+        if (coloured || !colours_.empty())
+            text += fmt::format("[[overlay]]\nkind = \"colour-bar\"\ncorner = \"{}-right\"\n\n",
+                                style_.style == FilmStyle::survey ? "upper" : "lower");
         if (style_.style == FilmStyle::survey)
             text += "[[overlay]]\nkind = \"inset-map\"\ncorner = \"lower-right\"\nsize = 0.24\n\n";
         return text;
@@ -367,6 +385,7 @@ class RuledFilm {
     const StyleFacts& style_;
     RunLook look_;
     std::string run_;
+    std::vector<Override> colours_;
     double seconds_;
     std::vector<WrittenShot> shots_;
 };

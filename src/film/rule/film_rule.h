@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "film/beds/film_runs.h"
+#include "keys/override.h"
 
 namespace fumon {
 
@@ -23,7 +24,8 @@ std::string film_style_names();
 
 struct FilmRule {
     FilmStyle style = FilmStyle::talk;
-    double seconds = 0.0;  ///< 0: the style's own
+    double seconds = 0.0;             ///< 0: the style's own
+    std::vector<Override> colours{};  ///< of the look, as TOML: what colours the ground
 };
 
 inline constexpr double shortest_film_by_rule = 4.0;  ///< seconds

@@ -234,6 +234,25 @@ std::string with_looks(const std::string& toml, const Film& film) {
     return text + sections_of(film.looks, "");
 }
 
+std::vector<std::string> coloured_fields(const Film& film) {
+    std::vector<std::string> names;
+    const auto add = [&](const std::vector<Override>& looks) {
+        for (const Override& setting : looks) {
+            if (setting.path != "look.field") continue;
+            std::string name = plain_text(setting);
+            if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+        }
+    };
+    add(film.looks);
+    for (const Shot& shot : film.shots) add(shot.looks);
+    for (const Excerpt& excerpt : film.excerpts) {
+        if (!excerpt.read) continue;
+        add(excerpt.read->looks);
+        for (const Shot& shot : excerpt.read->shots) add(shot.looks);
+    }
+    return names;
+}
+
 bool same_looks(const std::vector<Override>& first, const std::vector<Override>& second) {
     return std::ranges::equal(first, second, [](const Override& one, const Override& other) {
         return one.path == other.path && one.value == other.value;

@@ -37,6 +37,9 @@ void set_look(Film& film, const Override& setting);
 /// shot's own keys.
 std::string with_looks(const std::string& toml, const Film& film);
 
+/// The fields by whose names a film or its shots colour the ground (look.field).
+std::vector<std::string> coloured_fields(const Film& film);
+
 /// Whether two lists of settings give a scene the same look.
 bool same_looks(const std::vector<Override>& first, const std::vector<Override>& second);
 

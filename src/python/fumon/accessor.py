@@ -7,6 +7,7 @@ from typing import Any, Mapping
 import xarray
 
 from .arrays import Bytes
+from .axes import Axes, FigureAxes
 from .datasets import results_of_dataset
 from .images import Image, PathLike
 from .measures import Measures
@@ -60,14 +61,21 @@ class DatasetAccessor:
         self._dataset = dataset
 
     def results(self, *, bed: str | None = None, depth: str | None = None, level: str | None = None, u: str | None = None,
-                v: str | None = None, **look: Setting) -> Results:
+                v: str | None = None, colour: str | None = None, **look: Setting) -> Results:
         """Its records as a run, which fumon.open() gives of a file: what is bed and water is recognised by CF standard names and the
-        names of models, or named here. Values are read, or computed by Dask, a record at a time. look: keys of a scene."""
-        return results_of_dataset(self._dataset, {"bed": bed, "depth": depth, "level": level, "u": u, "v": v}, look)
+        names of models, or named here. Values are read, or computed by Dask, a record at a time. colour: a variable that colours the
+        ground, see fumon.open(); look: keys of a scene."""
+        named = {"bed": bed, "depth": depth, "level": level, "u": u, "v": v}
+        return results_of_dataset(self._dataset, named, look, colour=colour)
 
     def still(self, file: PathLike, record: int = -1, **options: Any) -> None:
         """Writes the picture of a record. options: variables and look, as for results()."""
         self.results(**options).still(file, record)
+
+    def figure(self, ax: Axes, record: int = -1, **options: Any) -> FigureAxes:
+        """Puts the picture of a record into axes of Matplotlib, with ticks in its unit, see fumon.figure_axes(). options: variables
+        and look, as for results()."""
+        return self.results(**options).figure(ax, record)
 
     def film(self, file: PathLike, film: PathLike | None = None, *, style: str = "talk", seconds: float = 0.0,
              film_settings: Mapping[str, Setting] | None = None, **options: Any) -> Movie:
@@ -77,16 +85,16 @@ class DatasetAccessor:
 
     def movie(self, file: PathLike, *, bed: str | None = None, depth: str | None = None, level: str | None = None,
               u: str | None = None, v: str | None = None, rate: float = 30.0, quality: int = 18,
-              progress: bool | None = None, **options: Any) -> Movie:
-        """A movie with a frame for each record. Where water is recognised or named (depth, level), it is drawn, and options are keys
+              colour: str | None = None, progress: bool | None = None, **options: Any) -> Movie:
+        """A movie with a frame for each record. Where water is recognised or named (depth, level), or a colour is, it is drawn, and options are keys
         of a scene; else, and with cell_size, origin or variable, it is a movie of heights, see fumon.movie()."""
         named = {"bed": bed, "depth": depth, "level": level, "u": u, "v": v}
         of_heights = sorted(options.keys() & {"cell_size", "origin", "variable"})
         if of_heights and any(named.values()):
             also = next(quantity for quantity, name in named.items() if name)
             raise TypeError(f"{of_heights[0]} is of a movie of heights alone, which takes no {also}")
-        if any(named.values()) or (not of_heights and self._has_water()):
-            return results_of_dataset(self._dataset, named, options).movie(file, rate=rate, quality=quality, progress=progress)
+        if any(named.values()) or colour or (not of_heights and self._has_water()):
+            return results_of_dataset(self._dataset, named, options, colour=colour).movie(file, rate=rate, quality=quality, progress=progress)
         return movie(self._dataset, file, rate=rate, quality=quality, progress=progress, **options)
 
     def _has_water(self) -> bool:

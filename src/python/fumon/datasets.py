@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from types import TracebackType
 from typing import Any, Callable, Mapping
@@ -13,14 +14,15 @@ from .arrays import Heights, Numbers
 from .images import Image, PathLike
 from .movies import Movie
 from .results import Results, results_of
-from .settings import Setting, settings_of
-from .terrain import CellSize, Origin, bed_of, cells_of_coordinates, ordered_dims, sides_of_coordinates
+from .settings import Setting, look_settings, settings_of
+from .terrain import CellSize, Origin, bed_of, cells_of_coordinates, is_landlab, ordered_dims, sides_of_coordinates
 
 _Quantities = Mapping[str, "str | None"]
 _attributes = ("source", "title", "model", "program", "Producer", "history", "institution", "Conventions")
 
 
-def results_of_dataset(dataset: Any, named: _Quantities, look: Mapping[str, Setting], name: str = "Dataset") -> Results:
+def results_of_dataset(dataset: Any, named: _Quantities, look: Mapping[str, Setting], name: str = "Dataset",
+                       colour: str | None = None) -> Results:
     """The run that a Dataset holds, with its variables recognised as those of a file. Values are computed a record at a time."""
     along = _dimension_of_records(dataset)
     maps = {str(key): values for key, values in dataset.data_vars.items() if _is_map(values, along)}
@@ -44,8 +46,28 @@ def results_of_dataset(dataset: Any, named: _Quantities, look: Mapping[str, Sett
     turn = sides_of_coordinates(plane_of_first)[2]
     if turn != 0.0 and all(_is_by_compass(maps[name]) for quantity, name, *_ in chosen if quantity in ("u", "v")):
         _turn_to_sides(readers, turn)
-    source = _core.RecordSource(name, model, dry, plane.shape, size, place, times, counted, origin, readers, changes)
-    return results_of(source, look)
+    settings = look_settings(look, colour)
+    scalars = {}
+    for wanted_field in _fields_of(settings):
+        if wanted_field in ("water_depth", "velocity_x", "velocity_y", "concentration"):
+            continue
+        if wanted_field not in maps:
+            raise ValueError(f"the dataset has no map {wanted_field!r} to colour by; it has {', '.join(maps)}")
+        values = maps[wanted_field]
+        if _plane_dims(values, along) != _plane_dims(first, along):
+            raise ValueError(f"{first.name} {first.dims} and {wanted_field} {values.dims} lie on different grids")
+        scalars[wanted_field] = (" ".join(str(values.attrs.get("long_name", wanted_field)).replace("_", " ").split()),
+                                 str(values.attrs.get("units", "")))
+        changes[wanted_field] = along in values.dims
+        readers[wanted_field] = _reader(values, along, 1.0, 0.0)
+    source = _core.RecordSource(name, model, dry, plane.shape, size, place, times, counted, origin, readers, changes, scalars)
+    return results_of(source, settings)
+
+
+def _fields_of(settings: list[str]) -> list[str]:
+    """The fields that settings of a look colour by."""
+    begin = "look.field="
+    return [json.loads(setting.removeprefix(begin)) for setting in settings if setting.startswith(begin)]
 
 
 def _described(name: str, values: Any, along: str) -> tuple[str, str, str, str, str, bool]:
@@ -166,21 +188,22 @@ class GrowingFilm:
             fields: Mapping[str, str] | None = None) -> Image:
         """Draws the present state, adds it to the movie and returns the picture.
 
-        bed: heights, metres, as fumon.render() takes them, or a grid of Landlab (RasterModelGrid), whose water is taken with
-            it: the fields "topographic__elevation" and "surface_water__depth", unless ``fields`` names others
-            (``{"bed": "bedrock__elevation", "depth": "h"}``).
+        bed: heights, metres, as fumon.render() takes them, or a grid of Landlab, whose water is taken with it: the fields
+            "topographic__elevation" and "surface_water__depth", unless ``fields`` names others
+            (``{"bed": "bedrock__elevation", "depth": "h"}``). Grids that are no rasters (HexModelGrid, VoronoiDelaunayGrid …) are
+            laid on cells of ``cell_size``, or of half their median edge, linearly in their triangles.
         depth, u, v: water's depth, metres, and its velocity east and north, m/s, of the same shape.
         time: in ``time_unit`` of the film; None: frames are counted.
         """
         names = {"bed": "topographic__elevation", "depth": "surface_water__depth", **(fields or {})}
-        is_grid = hasattr(bed, "at_node") and hasattr(bed, "shape")
+        is_grid = is_landlab(bed)
         ground = bed_of(bed, cell_size, origin, names["bed"] if is_grid else None)
         planes: dict[str, Numbers] = {"bed": _with_nan(ground)}
         for key, values in (("depth", depth), ("u", u), ("v", v)):
             if values is not None:
                 planes[key] = _with_nan(bed_of(values, None, origin))
         if is_grid and depth is None and self._has_depth(bed, fields):  # of the grid's own rows, whatever origin says
-            planes["depth"] = _with_nan(bed_of(bed, None, "lower", names["depth"]))
+            planes["depth"] = _with_nan(bed_of(bed, cell_size, "lower", names["depth"]))
         if self._painter is not None:
             more = sorted(planes.keys() - self._keys)
             if more:

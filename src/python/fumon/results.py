@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any, Iterator, overload
+from typing import Iterator, overload
 
 import numpy as np
 
 from . import _core
 from .arrays import Numbers
+from .axes import Axes, FigureAxes, figure_axes
 from .images import Image, PathLike
 from .measures import Measures
 from .movies import Movie, movie
 from .scene import Step
-from .settings import Setting, settings_of
+from .settings import Setting, look_settings, settings_of
 
 
 class Record(Step):
@@ -107,6 +108,10 @@ class Results(Sequence[Record]):
         """The picture of a record."""
         return self[record].image()
 
+    def figure(self, ax: Axes, record: int = -1) -> FigureAxes:
+        """Puts the picture of a record into axes of Matplotlib, see fumon.figure_axes()."""
+        return figure_axes(ax, self[record])
+
     def movie(self, file: PathLike, *, every: int = 1, rate: float = 30.0, quality: int = 18,
               progress: bool | None = None) -> Movie:
         """A movie with a frame for each record, or each ``every``-th one; ``rate``, ``quality``: as for fumon.movie()."""
@@ -131,7 +136,7 @@ class Results(Sequence[Record]):
 
 
 def open(path: PathLike, *, fields: Mapping[str, str] | None = None, cell_size: float = 0.0, time_pattern: str = "",
-         time_unit: str = "", **look: Setting) -> Results:
+         time_unit: str = "", colour: str | None = None, **look: Setting) -> Results:
     """Opens stored records: the folder of a run, its fields.nc alone, or results of other models, which are a NetCDF file
     (on rectangles, triangles or polygons), a pattern of several (``"out_*.nc"``) or of rasters (``"elev_*.asc"``).
 
@@ -140,15 +145,17 @@ def open(path: PathLike, *, fields: Mapping[str, str] | None = None, cell_size: 
     cell_size: metres, of rasters that do not say theirs, and of the grid on which triangles and polygons are laid.
     time_pattern: of dates in the names of a series of rasters, ``"%Y-%m-%d"``; time_unit: of numbers there, and of times without
         a unit.
+    colour: what colours the ground: a field of the run or a variable of the file, or a word of look.colour_by ("height", "slope").
+        Pictures name it, with its unit, beside its colours; the record has it among its ``fields``.
     look: keys of the scene by which records are drawn, as ``camera_azimuth=160``.
 
     InputError, one line, for what is not read, is damaged or is not recognised.
     """
     named = [f"{key}={name}" for key, name in (fields or {}).items()]
-    settings = [f"{key}={value}" for key, value in settings_of(look)]
+    settings = look_settings(look, colour)
     return Results(_core.Results(os.fspath(path), named, time_pattern, time_unit, float(cell_size), settings))
 
 
-def results_of(source: _core.RecordSource, look: Mapping[str, Any]) -> Results:
-    """Of records that Python reads."""
-    return Results(_core.Results.of_records(source, [f"{key}={value}" for key, value in settings_of(look)]))
+def results_of(source: _core.RecordSource, settings: list[str]) -> Results:
+    """Of records that Python reads, drawn by settings "key=VALUE"."""
+    return Results(_core.Results.of_records(source, settings))

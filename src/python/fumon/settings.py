@@ -10,6 +10,7 @@ from typing import Any, Iterable, Mapping, Sequence, Union
 import numpy as np
 import numpy.typing as npt
 
+from . import _core
 from .map_layers import Features, map_layers
 
 #: What a key is set to.
@@ -53,6 +54,11 @@ def settings_of(given: Mapping[str, Setting]) -> list[tuple[str, str]]:
 
 def _section(name: str, value: Any) -> tuple[str, Any]:
     return ("layer", map_layers(value)) if name == "layers" else (key_of(name), value)
+
+
+def look_settings(look: Mapping[str, Setting], colour: str | None) -> list[str]:
+    """``key=VALUE`` of a look, with what ``colour`` names to colour the ground, which keys of the look change further."""
+    return _core.colour_settings(colour or "") + [f"{key}={value}" for key, value in settings_of(look)]
 
 
 def _settings(key: str, value: Setting) -> Iterable[tuple[str, str]]:

@@ -111,7 +111,7 @@ def bed_of(data: Heights, cell_size: CellSize = None, origin: Origin = "lower", 
     if origin not in ("lower", "upper"):
         raise ValueError(f'origin is "lower" or "upper", not {origin!r}')
     size = _checked_size(cell_size)
-    if hasattr(data, "at_node") and hasattr(data, "shape"):
+    if is_landlab(data):
         return _bed_of_landlab(data, size, field or "topographic__elevation")
     if field is not None:
         raise ValueError("field names the heights of a Landlab grid, which this is not")
@@ -232,9 +232,28 @@ def _bed_of_array(data: Any, size: tuple[float, float] | None, flipped: bool) ->
     return Bed(heights, nodata.astype(np.uint8) if nodata.any() else None, size)
 
 
+def is_landlab(data: Any) -> bool:
+    """Whether something has the attributes of a grid of Landlab: a raster, or nodes anywhere."""
+    return hasattr(data, "at_node") and (hasattr(data, "shape") or hasattr(data, "x_of_node"))
+
+
+def _bed_of_nodes(grid: Any, size: tuple[float, float] | None, field: str) -> Bed:
+    """Of a HexModelGrid, VoronoiDelaunayGrid …: linear in the triangles of its patches, no data outside them."""
+    if not hasattr(grid, "nodes_at_patch"):
+        raise TypeError("a grid that is no raster needs nodes_at_patch, the corners of its triangles, as Landlab's grids have it")
+    if size is not None and size[0] != size[1]:
+        raise ValueError("nodes are laid on square cells: cell_size is one number")
+    mesh = _core.NodeMesh(np.asarray(grid.x_of_node, dtype=np.float64), np.asarray(grid.y_of_node, dtype=np.float64),
+                          np.asarray(grid.nodes_at_patch, dtype=np.int64), 0.0 if size is None else float(size[0]))
+    values = mesh.laid(np.asarray(grid.at_node[field], dtype=np.float64))
+    return _bed_of_array(values, (mesh.cell, mesh.cell), flipped=False)
+
+
 def _bed_of_landlab(grid: Any, size: tuple[float, float] | None, field: str) -> Bed:
     if field not in grid.at_node:
         raise ValueError(f"the grid has no field {field!r} at its nodes; field= names the one with the heights")
+    if not hasattr(grid, "dx"):
+        return _bed_of_nodes(grid, size, field)
     dx = float(grid.dx)
     own = (dx, float(getattr(grid, "dy", dx)))
     return _bed_of_array(np.asarray(grid.at_node[field]).reshape(grid.shape), size or own, flipped=False)

@@ -138,9 +138,10 @@ const gl::TextureLayout cover_layout{GL_RGBA8,  GL_RGBA, GL_UNSIGNED_BYTE,
                                      GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
 
 /// 255 in the cells that get no palette place, 1 × 1 where all do.
-Field<std::uint8_t> uncoloured_texels(Colouring colour_by, const Snapshot& snapshot) {
-    if (!colours_water(colour_by)) return {1, 1, 0};
-    Field<std::uint8_t> texels = dry_cells(snapshot);
+Field<std::uint8_t> uncoloured_texels(const LookSettings& look, const Snapshot& snapshot) {
+    if (!leaves_cells_uncoloured(look.colour_by)) return {1, 1, 0};
+    Field<std::uint8_t> texels = uncoloured_cells(look, snapshot);
+    if (texels.empty()) return {snapshot.bed.nx(), snapshot.bed.ny(), 0};
     for (std::uint8_t& texel : texels.values()) texel = texel != 0 ? 255 : 0;
     return texels;
 }
@@ -218,8 +219,8 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
       values_(first_bed.z.nx(), first_bed.z.ny(), tiled(value_layout, view.look.ground)),
       marks_(view.look.mark == Marking::none ? 1 : first.bed.nx(),
              view.look.mark == Marking::none ? 1 : first.bed.ny(), layout_of(view.look)),
-      uncoloured_(colours_water(view.look.colour_by) ? first.bed.nx() : 1,
-                  colours_water(view.look.colour_by) ? first.bed.ny() : 1, mark_layout),
+      uncoloured_(leaves_cells_uncoloured(view.look.colour_by) ? first.bed.nx() : 1,
+                  leaves_cells_uncoloured(view.look.colour_by) ? first.bed.ny() : 1, mark_layout),
       target_layout_(
           repeated(shaded_layout(view.look.ground, shaded_mipmaps_, kind), view.look.ground)),
       target_size_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
@@ -256,7 +257,7 @@ void BedShading::draw_noise() {
 /// The values that colours stand for, which set the range of these.
 Field<float> BedShading::ranged_values(const Snapshot& snapshot, const Snapshot& first) {
     const bool natural = view_.look.colour_by == Colouring::natural;
-    Field<float> values = coloured_values(view_.look.colour_by, snapshot, first);
+    Field<float> values = coloured_values(view_.look, snapshot, first);
     if (natural) {
         const auto [low, high] = natural_range(snapshot, block_);
         range_ = {low, high};
@@ -264,7 +265,7 @@ Field<float> BedShading::ranged_values(const Snapshot& snapshot, const Snapshot&
     } else {
         range_ = frame_colour_range(view_.look, snapshot, values, range_, keeps_range_);
     }
-    const Mask without = uncoloured_cells(view_.look.colour_by, snapshot);
+    const Mask without = uncoloured_cells(view_.look, snapshot);
     if (!without.empty()) extrapolate_outward(values, without, static_cast<float>(range_.low));
     return values;
 }
@@ -274,7 +275,7 @@ void BedShading::upload_marks(const Snapshot& snapshot, const DrawnOrigin& origi
         texture.upload(rolled(texels, origin.east, origin.north).data());
     };
     upload(marks_, mark_texels(view_.look.mark, snapshot));
-    upload(uncoloured_, uncoloured_texels(view_.look.colour_by, snapshot));
+    upload(uncoloured_, uncoloured_texels(view_.look, snapshot));
 }
 
 void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,

@@ -1,13 +1,19 @@
 #include "render/colour/colouring.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "base/elementary.h"
 #include "base/elementary_angle.h"
+#include "base/error.h"
 #include "base/find_named.h"
+#include "base/nearest_name.h"
 #include "base/random.h"
 #include "base/rounding.h"
 #include "measure/network/flow_routing.h"
@@ -71,11 +77,58 @@ bool colours_water(Colouring colour_by) {
            colour_by == Colouring::froude;
 }
 
-Mask uncoloured_cells(Colouring colour_by, const Snapshot& snapshot) {
-    return colours_water(colour_by) ? dry_cells(snapshot) : snapshot.nodata;
+bool colours_field(Colouring colour_by) {
+    return colour_by == Colouring::field || colour_by == Colouring::field_change;
 }
 
-Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, const Snapshot& first) {
+bool leaves_cells_uncoloured(Colouring colour_by) {
+    return colours_water(colour_by) || colours_field(colour_by);
+}
+
+const SnapshotField& coloured_field(const LookSettings& look, const Snapshot& snapshot) {
+    if (const SnapshotField* field = find_named(snapshot.fields, look.field)) return *field;
+    std::vector<std::string> known;
+    for (const SnapshotField& field : snapshot.fields) known.push_back(field.name);
+    throw InputError(
+        fmt::format("look.field = \"{}\": the run has no field of this name; {}", look.field,
+                    known.empty() ? std::string("it has none") : suggestion(look.field, known)));
+}
+
+Mask uncoloured_cells(const LookSettings& look, const Snapshot& snapshot) {
+    if (colours_water(look.colour_by)) return dry_cells(snapshot);
+    if (!colours_field(look.colour_by)) return snapshot.nodata;
+    const Grid& values = coloured_field(look, snapshot).values;
+    Mask without = snapshot.nodata;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (std::isfinite(values.values()[i])) continue;
+        if (without.empty()) without = Mask(values.nx(), values.ny());
+        without.values()[i] = 1;
+    }
+    return without;
+}
+
+namespace {
+
+Field<float> field_values(const LookSettings& look, const Snapshot& snapshot,
+                          const Snapshot& first) {
+    const Grid& values = coloured_field(look, snapshot).values;
+    const bool change = look.colour_by == Colouring::field_change;
+    const Grid* reference = change ? &coloured_field(look, first).values : nullptr;
+    Field<float> result(values.nx(), values.ny());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const double value =
+            values.values()[i] - (reference != nullptr ? reference->values()[i] : 0.0);
+        result.values()[i] = std::isfinite(value) ? static_cast<float>(value) : 0.0F;
+    }
+    return result;
+}
+
+}  // namespace
+
+Field<float> coloured_values(const LookSettings& look, const Snapshot& snapshot,
+                             const Snapshot& first) {
+    const Colouring colour_by = look.colour_by;
+    if (colours_field(colour_by)) return field_values(look, snapshot, first);
     if (colour_by == Colouring::slope) return slopes(snapshot);
     if (colour_by == Colouring::speed) return water_speed(snapshot);
     if (colour_by == Colouring::froude) return froude_numbers(snapshot);
@@ -101,14 +154,14 @@ std::pair<double, double> ends_of_values(const LookSettings& look, const Snapsho
                                          const Field<float>& values, const RangeTails& tails) {
     std::vector<float> known;
     known.reserve(values.size());
-    const Mask without = uncoloured_cells(look.colour_by, snapshot);
+    const Mask without = uncoloured_cells(look, snapshot);
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (without.empty() || without.values()[i] == 0) known.push_back(values.values()[i]);
     }
     double low = percentile(known, tails.low);
     double high = percentile(known, 1.0 - tails.high);
     if (look.colour_by == Colouring::slope) low = 0.0;
-    if (look.colour_by == Colouring::change) {
+    if (look.colour_by == Colouring::change || look.colour_by == Colouring::field_change) {
         high = std::max(std::abs(low), std::abs(high));
         low = -high;
     }

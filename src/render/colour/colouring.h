@@ -14,14 +14,26 @@ namespace fumon {
 /// Whether the colours mean a quantity of the water: its depth, speed or Froude number.
 bool colours_water(Colouring colour_by);
 
-/// 1 for the cells that have no value to colour: those without data and, where the colours mean the
-/// water, dry ones. Empty when all have one.
-Mask uncoloured_cells(Colouring colour_by, const Snapshot& snapshot);
+/// Whether the colours mean a field of the run by its name, or its change.
+bool colours_field(Colouring colour_by);
+
+/// Whether there may be cells with data, but without a value to colour.
+bool leaves_cells_uncoloured(Colouring colour_by);
+
+/// 1 for the cells that have no value to colour: those without data, where the colours mean the
+/// water dry ones, and where they mean a field those without a value of it. Empty when all have
+/// one.
+Mask uncoloured_cells(const LookSettings& look, const Snapshot& snapshot);
+
+/// The field that look.field names. Throws InputError, with the names that there are, for another.
+const SnapshotField& coloured_field(const LookSettings& look, const Snapshot& snapshot);
 
 /// What is coloured, for every cell of the bed: heights, slopes in degrees (not exaggerated),
-/// heights less the first ones, decimal logarithms of the drained areas, or a quantity of the
-/// water, 0 in dry cells. Throws InputError for the latter without water.
-Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, const Snapshot& first);
+/// heights less the first ones, decimal logarithms of the drained areas, a quantity of the water, 0
+/// in dry cells, or a field or its change, 0 in cells without a value. Throws InputError for what
+/// the snapshot has not.
+Field<float> coloured_values(const LookSettings& look, const Snapshot& snapshot,
+                             const Snapshot& first);
 
 /// Which share of the values may lie beyond each end of an automatic range; 0: none.
 struct RangeTails {
@@ -33,7 +45,8 @@ struct RangeTails {
 /// (height, change), degrees (slope), m (water-depth), m/s (speed), 1 (froude) or log10 of m² or
 /// cells (drainage). What is not fixed by look.low and look.high comes from `values`, the
 /// snapshot's coloured_values(): the percentiles of the bed or of the wet cells that `tails` cut
-/// off, for slope 0 and the upper percentile, for change the larger of both on both sides of zero.
+/// off, for slope 0 and the upper percentile, for changes the larger of both on both sides of
+/// zero.
 /// Natural colouring has the range of height.
 std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
                                        const Field<float>& values, const RangeTails& tails = {});

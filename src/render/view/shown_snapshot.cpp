@@ -1,7 +1,9 @@
 #include "render/view/shown_snapshot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -64,15 +66,17 @@ Snapshot as_strip(const Snapshot& snapshot, const LookSettings& look) {
     return shown;
 }
 
-/// The means of every k × k cells, those without data left out; at the east and north edge they are
-/// fewer. 0 where there is none.
+/// The means of every k × k cells, those without data or value (NaN) left out; at the east and
+/// north edge they are fewer. 0 where there is none, NaN where all with data have no value.
 Grid averaged(const Grid& fine, const Mask& nodata, int k) {
     const auto groups = [k](int cells) { return (cells + k - 1) / k; };
     Grid coarse(groups(fine.nx()), groups(fine.ny()));
     std::vector<int> counts;
+    std::vector<int> without_value;
     for (int y = 0; y < coarse.ny(); ++y) {
         const auto sums = coarse.row(y);
         counts.assign(sums.size(), 0);
+        without_value.assign(sums.size(), 0);
         for (int v = y * k; v < std::min((y + 1) * k, fine.ny()); ++v) {
             const auto heights = fine.row(v);
             std::size_t u = 0;
@@ -81,13 +85,22 @@ Grid averaged(const Grid& fine, const Mask& nodata, int k) {
                          std::min(u + static_cast<std::size_t>(k), heights.size());
                      u < end; ++u) {
                     if (!nodata.empty() && nodata.row(v)[u] != 0) continue;
+                    if (std::isnan(heights[u])) {
+                        ++without_value[x];
+                        continue;
+                    }
                     sums[x] += heights[u];
                     ++counts[x];
                 }
             }
         }
-        for (std::size_t x = 0; x < sums.size(); ++x)
-            if (counts[x] > 0) sums[x] /= counts[x];
+        for (std::size_t x = 0; x < sums.size(); ++x) {
+            if (counts[x] > 0) {
+                sums[x] /= counts[x];
+            } else if (without_value[x] > 0) {
+                sums[x] = std::numeric_limits<double>::quiet_NaN();
+            }
+        }
     }
     return coarse;
 }

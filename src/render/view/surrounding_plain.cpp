@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "base/elementary.h"
+#include "base/find_named.h"
 #include "base/random.h"
 #include "base/worker_pool.h"
 #include "numerics/plane_filter.h"
@@ -312,7 +314,8 @@ Grid SurroundingPlain::continued(const Grid& field, const Surroundings& all) con
     return maps;
 }
 
-Snapshot SurroundingPlain::around(const Snapshot& snapshot, WorkerPool& pool) const {
+Snapshot SurroundingPlain::around(const Snapshot& snapshot, WorkerPool& pool,
+                                  std::string_view coloured) const {
     const Surroundings all = surroundings(snapshot.nodata);
     const Mask& outside = all.outside;
     const Grid heights = in_tile(snapshot.bed);
@@ -354,6 +357,15 @@ Snapshot SurroundingPlain::around(const Snapshot& snapshot, WorkerPool& pool) co
             maps.bed(x, y) = outside(x, y) == 0 ? heights(x, y) : ground(x, y) + missing(x, y);
             maps.bed(nx_ + x, y) = level_ + relief_(x, y);
         }
+    }
+    const bool is_drawn = std::ranges::find(drawn_fields, coloured) != drawn_fields.end();
+    if (const SnapshotField* field = find_named(snapshot.fields, coloured); field && !is_drawn) {
+        Grid values(2 * nx_, ny_, std::numeric_limits<double>::quiet_NaN());
+        const Grid known = in_tile(field->values);
+        for (int y = 0; y < ny_; ++y)
+            for (int x = 0; x < nx_; ++x)
+                if (outside(x, y) == 0) values(x, y) = known(x, y);
+        maps.fields.push_back({field->name, field->long_name, field->unit, std::move(values)});
     }
     if (is_drained() && has_water(snapshot)) add_water(snapshot, maps);
     return maps;

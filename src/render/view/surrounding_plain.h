@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string_view>
 
 #include "base/grid.h"
 #include "base/snapshot.h"
@@ -39,8 +40,10 @@ class SurroundingPlain {
     SurroundingPlain(const Snapshot& first, WorkerPool& pool);
 
     /// That bed, or one of the same cells, in the plain: a snapshot of the maps of GroundTiles,
-    /// periodic and without cells outside, of fields only those that are drawn.
-    [[nodiscard]] Snapshot around(const Snapshot& snapshot, WorkerPool& pool) const;
+    /// periodic and without cells outside, of fields only those that are drawn, and the `coloured`
+    /// one, which has no values (NaN) in the plain.
+    [[nodiscard]] Snapshot around(const Snapshot& snapshot, WorkerPool& pool,
+                                  std::string_view coloured = {}) const;
 
     /// How far their ground is invented: 0 on the bed, 255 from a dozen cells beyond it on.
     [[nodiscard]] Field<std::uint8_t> invented_share(const Snapshot& first) const;

@@ -27,8 +27,15 @@ void list_colour_keys(LookSettings& look, KeyTable& table) {
          {Colouring::speed, "speed", "of the water, m/s"},
          {Colouring::froude, "froude", "Froude number of the water, speed over sqrt(g depth)"},
          {Colouring::drainage, "drainage",
-          "decimal logarithm of the area that drains through a cell, m2"}},
+          "decimal logarithm of the area that drains through a cell, m2"},
+         {Colouring::field, "field",
+          "a field of the run, look.field; cells without a value stay sand"},
+         {Colouring::field_change, "field-change", "that field minus that of the first frame"}},
         {.help = "quantity shown by the colours"});
+    table.text(
+        "look.field", look.field,
+        {.help = "of look.colour_by = \"field\": a field of the model as fields.nc names it, or "
+                 "a variable of another model's file"});
     table.text("look.palette", look.palette,
                {.help = "sand, grey, hypsometric, viridis, cividis, magma, inferno, plasma, "
                         "batlow, lapaz, oslo, vik (for "

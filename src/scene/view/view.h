@@ -75,7 +75,18 @@ struct AirSettings {
     WordOrReal visibility{"auto", 0.0};    ///< km, how far dark things are seen
 };
 
-enum class Colouring { natural, height, slope, change, water_depth, speed, froude, drainage };
+enum class Colouring {
+    natural,
+    height,
+    slope,
+    change,
+    water_depth,
+    speed,
+    froude,
+    drainage,
+    field,
+    field_change
+};
 enum class ViewMode { scenic, figure };
 enum class Marking { none, last_avalanche, ground };
 enum class RockSurface { weathered, pavement };
@@ -100,6 +111,7 @@ struct LookSettings {
     std::string preset;  ///< a look whose values stand for defaults; empty once a scene is read
     ViewMode mode = ViewMode::scenic;
     Colouring colour_by = Colouring::natural;
+    std::string field;  ///< by name, where it is coloured by one
     std::string palette = "sand";
     bool palette_reversed = false;
     WordOrReal low{"auto", 0.0};           ///< value at the palette's start

@@ -77,7 +77,7 @@ TEST(Palette, MalformedFilesAreLocated) {
 
 std::pair<double, double> range_of(const LookSettings& look, const Snapshot& snapshot,
                                    const Snapshot& first) {
-    return colour_range(look, snapshot, coloured_values(look.colour_by, snapshot, first));
+    return colour_range(look, snapshot, coloured_values(look, snapshot, first));
 }
 
 TEST(ColourRange, FollowsWhatIsColoured) {
@@ -99,8 +99,8 @@ TEST(ColourRange, FollowsWhatIsColoured) {
 
 FrameColourRange colours_of(const LookSettings& look, const Snapshot& snapshot,
                             const FrameColourRange& previous, bool keeps) {
-    return frame_colour_range(look, snapshot, coloured_values(look.colour_by, snapshot, snapshot),
-                              previous, keeps);
+    return frame_colour_range(look, snapshot, coloured_values(look, snapshot, snapshot), previous,
+                              keeps);
 }
 
 TEST(ColourRange, IsKeptFromTheFirstPictureWhoseValuesDiffer) {
@@ -138,7 +138,9 @@ TEST(ColourRange, SlopesAreInDegrees) {
     plane.scale = {2.0, 2.0, 4.0, true};
     for (int y = 0; y < 20; ++y)
         for (int x = 0; x < 20; ++x) plane.bed(x, y) = 0.5 * x;  // 2 m up on 2 m
-    const Field<float> slopes = coloured_values(Colouring::slope, plane, plane);
+    LookSettings by_slope;
+    by_slope.colour_by = Colouring::slope;
+    const Field<float> slopes = coloured_values(by_slope, plane, plane);
     for (const float value : slopes.values()) EXPECT_NEAR(value, 45.0, 1e-2);
     LookSettings look;
     look.colour_by = Colouring::slope;

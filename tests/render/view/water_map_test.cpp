@@ -63,7 +63,7 @@ TEST(WaterMap, ShadingIsAShare) {
 
 std::pair<double, double> range_in_wet_cells(const LookSettings& look, const Snapshot& snapshot,
                                              const Snapshot& first) {
-    return colour_range(look, snapshot, coloured_values(look.colour_by, snapshot, first));
+    return colour_range(look, snapshot, coloured_values(look, snapshot, first));
 }
 
 TEST(WaterMap, AutomaticRangesAreThoseOfWetCells) {
@@ -85,8 +85,8 @@ TEST(WaterMap, AutomaticRangesAreThoseOfWetCells) {
     EXPECT_NEAR(froude.second, 0.5 / std::sqrt(9.8 * 0.01), 0.01);
     EXPECT_GT(froude.first, 1.5);
     look.colour_by = Colouring::speed;
-    EXPECT_EQ(coloured_values(look.colour_by, film, film)(10, 10), 0.5F);
-    EXPECT_EQ(coloured_values(look.colour_by, film, film)(90, 10), 0.0F);
+    EXPECT_EQ(coloured_values(look, film, film)(10, 10), 0.5F);
+    EXPECT_EQ(coloured_values(look, film, film)(90, 10), 0.0F);
 }
 
 TEST(WaterMap, NeedsWater) {
