@@ -10,7 +10,7 @@ FrameContours::FrameContours(const OverlayScene& on, double font_size) : view_(o
 
 void FrameContours::draw(Image& image, const OverlayFrame& frame, std::vector<CanvasBox>& taken,
                          double opacity) const {
-    view_.lay_over(
+    view_.draw_over(
         image, frame, opacity,
         [&](Canvas& canvas, const Snapshot& snapshot, const ViewProjection& view) {
             const auto contours = ground_contours(view_.scene().view.look.contours, snapshot);

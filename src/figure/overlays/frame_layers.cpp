@@ -42,7 +42,7 @@ bool FrameLayers::has_any(const OverlayScene& on) {
 
 void FrameLayers::draw(Image& image, const OverlayFrame& frame, const std::vector<CanvasBox>& taken,
                        double opacity) const {
-    view_.lay_over(
+    view_.draw_over(
         image, frame, opacity,
         [&](Canvas& canvas, const Snapshot& snapshot, const ViewProjection& view) {
             PlacedLayers with_ground;

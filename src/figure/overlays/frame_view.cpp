@@ -1,5 +1,7 @@
 #include "figure/overlays/frame_view.h"
 
+#include <optional>
+
 #include "figure/canvas/layers.h"
 #include "render/view/framing.h"
 #include "render/view/shown_snapshot.h"
@@ -12,8 +14,8 @@ FrameView::FrameView(const OverlayScene& on, double font_size)
       block_(framed_block(on.scene.view, on.shown)),
       font_size_(font_size) {}
 
-void FrameView::lay_over(Image& image, const OverlayFrame& frame, double opacity,
-                         const Drawing& draw) const {
+void FrameView::draw_over(Image& image, const OverlayFrame& frame, double opacity,
+                          const Drawing& draw) const {
     const std::optional<Snapshot> reshaped = shown_snapshot(frame.snapshot, scene_.view);
     const Snapshot& snapshot = reshaped ? *reshaped : frame.snapshot;
     const Block block = block_of_frame(block_, scene_.view.look, first_, snapshot);

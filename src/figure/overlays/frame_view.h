@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
 #include "base/image.h"
 #include "figure/canvas/canvas.h"
@@ -26,8 +25,8 @@ class FrameView {
     using Drawing =
         std::function<void(Canvas& canvas, const Snapshot& snapshot, const ViewProjection& view)>;
     /// Lays over a frame what is drawn on a transparent canvas.
-    void lay_over(Image& image, const OverlayFrame& frame, double opacity,
-                  const Drawing& draw) const;
+    void draw_over(Image& image, const OverlayFrame& frame, double opacity,
+                   const Drawing& draw) const;
 
   private:
     const Scene& scene_;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double turn_step =
     3.0;  // degrees between the azimuths at which a turning block is fitted
-constexpr double steep_view = 60.0;  // degrees: from there on a block is fitted, see stand_before()
+constexpr double steep_view = 60.0;  // degrees: seen from higher up, every block is fitted
 
 /// Turns a camera about its axis, to the right.
 void roll(Camera& camera, double degrees) {
@@ -118,9 +118,12 @@ void stand_before(Camera& camera, const Block& block) {
     }
     double distance = breadth / camera.half.x;
     const glm::dvec3 lowest = camera.forward - camera.half.y * camera.up;
-    const double ahead = -glm::dot(glm::dvec2(lowest), toward) / -lowest.z;  // of a fall of 1
-    const double nearer = -glm::dot(glm::dvec2(camera.forward), toward) + camera.forward.z * ahead;
-    if (nearer > 0.0) distance = std::min(distance, reach / nearer);
+    if (lowest.z < 0.0) {
+        const double ahead = glm::dot(glm::dvec2(lowest), toward) / lowest.z;  // of a fall of 1
+        const double nearer =
+            -glm::dot(glm::dvec2(camera.forward), toward) + camera.forward.z * ahead;
+        if (nearer > 0.0) distance = std::min(distance, reach / nearer);
+    }
     camera.eye = glm::dvec3(0.0, 0.0, block.surface) - distance * camera.forward;
 }
 
@@ -200,7 +203,7 @@ Camera place_camera(const CameraSettings& settings, const Block& block, double a
         camera.eye = centre(block) - used.distance.value * camera.forward;
         if (!camera.perspective) camera.half *= used.distance.value;
     } else if (camera.perspective && block.goes_on && used.distance.word == "auto" &&
-               used.elevation < steep_view) {
+               used.turn == 0.0 && used.elevation < steep_view) {
         stand_before(camera, block);
     } else if (camera.perspective) {
         fit_perspective(camera, used, block);

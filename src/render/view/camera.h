@@ -54,7 +54,8 @@ struct Camera {
 /// camera.margin allows: all corners of the block, its sides included, lie inside, and it touches
 /// the border on the axis that limits. `auto` is `fit`, but where the block goes on beyond its
 /// edges its nearest point lies at the picture's lower edge, or the block's middle is as broad as
-/// the picture, whichever is nearer. Where the camera turns, one distance serves the whole turn.
+/// the picture, whichever is nearer; not where the camera turns or looks down steeply. Where it
+/// turns, one distance serves the whole turn.
 /// `map` looks straight down with north up, without perspective, and one scale along both axes.
 /// `progress` is the share of the run that is over, 0 … 1.
 Camera place_camera(const CameraSettings& settings, const Block& block, double aspect,
