@@ -62,7 +62,7 @@ vec3 ground_albedo(vec2 position, BedPoint point, float value) {
     vec3 noise = 2.0 * texture(noise_map, noise_position(position)).rgb - 1.0;
     vec3 own = mix(sand(1.5 * noise.r, noise.g, point, value), mountain(1.5 * noise.b, point, value), rock);
     if (covered > 0.5) own = with_cover(own, position, noise);
-    own = mix(board(), own, sand_on_board(value));
+    if (bare_board.y > 0.0) own = mix(board(), own, sand_on_board(value));
     if (natural > 0.5) return marked(own, position);
     vec3 coloured = linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb);
     return marked(mix(coloured, own, texture(uncoloured_map, position).r), position);

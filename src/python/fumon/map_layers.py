@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import atexit
 import hashlib
 import json
 import os
+import shutil
 import tempfile
 from pathlib import Path
 from typing import Any, Iterable, Mapping, Protocol, runtime_checkable
 
 _of_geojson = {"Feature", "FeatureCollection", "Point", "MultiPoint", "LineString", "MultiLineString", "Polygon",
                "MultiPolygon", "GeometryCollection"}
-_kept: "tempfile.TemporaryDirectory[str] | None" = None
+_kept: dict[int, str] = {}  # the folder of a process: one that was forked leaves its parent's alone
 
 
 @runtime_checkable
@@ -26,7 +28,7 @@ class Features(Protocol):
 def map_layers(given: Any) -> list[dict[str, Any]]:
     """The keys of each layer ([[layer]]): of one, or of a list of them, each a file, features, or a mapping of those keys,
     whose ``file`` may be features too. TypeError for what is none of these."""
-    is_one = isinstance(given, (str, os.PathLike, Mapping, Features))
+    is_one = isinstance(given, (str, os.PathLike, Mapping, Features)) or not isinstance(given, Iterable)
     return [_layer(layer) for layer in ([given] if is_one else given)]
 
 
@@ -42,7 +44,10 @@ def _file(given: Any) -> str:
     if isinstance(given, Mapping) and _is_geojson(given):
         return _kept_file(given)
     if isinstance(given, Features):
-        return _kept_file(_with_system(given.__geo_interface__, given))
+        features = given.__geo_interface__
+        if features["type"] == "LinearRing":  # of Shapely, which GeoJSON does not know
+            features = {**features, "type": "LineString"}
+        return _kept_file(_with_system(features, given))
     raise TypeError(f"a layer is a file, features (GeoJSON, a GeoDataFrame) or a mapping of the keys of [[layer]], "
                     f"not {type(given).__name__}")
 
@@ -65,13 +70,19 @@ def _with_system(features: Mapping[str, Any], owner: Any) -> Mapping[str, Any]:
 
 def _kept_file(features: Mapping[str, Any]) -> str:
     """A file of the features, until the process ends."""
-    global _kept
     text = json.dumps(features, default=_plain)
-    if _kept is None:
-        _kept = tempfile.TemporaryDirectory(prefix="fumon-layers-")
-    file = Path(_kept.name) / f"{hashlib.sha256(text.encode()).hexdigest()[:16]}.geojson"
+    process = os.getpid()
+    if process not in _kept:
+        _kept[process] = tempfile.mkdtemp(prefix="fumon-layers-")
+        atexit.register(_remove, process)
+    file = Path(_kept[process]) / f"{hashlib.sha256(text.encode()).hexdigest()[:16]}.geojson"
     file.write_text(text, encoding="utf-8")
     return str(file)
+
+
+def _remove(process: int) -> None:
+    if os.getpid() == process:
+        shutil.rmtree(_kept[process], ignore_errors=True)
 
 
 def _plain(value: Any) -> Any:
