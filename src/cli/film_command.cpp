@@ -31,6 +31,7 @@
 #include "run/drawing.h"
 #include "run/terminal/interrupt.h"
 #include "scene/scene_keys.h"
+#include "shards/slurm_script.h"
 #include "view/watch/job_server.h"
 
 namespace fumon {
@@ -190,7 +191,7 @@ FilmToMake film_by_file(const FilmOptions& options, const Arguments& arguments) 
     std::vector<std::string> settings = colour_settings(options.colour);
     settings.insert(settings.end(), options.work.settings.begin(), options.work.settings.end());
     Film film = parse_film(text.text, file.string(), settings, !again);
-    if (!options.colour.empty()) add_colour_bar(film);
+    if (!options.colour.empty() && options.colour != "natural") add_colour_bar(film);
     const RunArrangement showing = arrangement_of(film);
     fs::path usual = file.stem().string() + (again ? "-again" : "");
     FilmRuns runs(arguments.runs, options.work.threads, showing,
@@ -222,7 +223,7 @@ FilmToMake film_without_file(const FilmOptions& options, const Arguments& argume
     FilmText text{film_by_rule(runs, rule, fs::path(arguments.runs.front()).string()),
                   "fumon film RUN"};
     if (options.style != "talk") text.remake += " --style " + options.style;
-    if (!options.colour.empty()) text.remake += " --colour " + options.colour;
+    if (!options.colour.empty()) text.remake += " --colour " + shell_word(options.colour);
     if (options.seconds != 0.0) text.remake += fmt::format(" --seconds {}", options.seconds);
     Film film = parse_film(text.text, "film by rule", options.work.settings);
     fs::path usual = name_of_run(arguments.runs.front());

@@ -158,6 +158,24 @@ void FilmPainter::fix_ranges(const std::set<Moment>& shown) {
     fix_plots(shown);
 }
 
+namespace {
+
+/// The range of a record's colours; of values that are one, that one, and of none an empty range,
+/// which widen a film's range by nothing else.
+std::pair<double, double> ends_of_record(const LookSettings& look, const Snapshot& bed,
+                                         const Field<float>& values) {
+    const FrameColourRange range = frame_colour_range(look, bed, values, {}, true);
+    if (range.kept) return {range.low, range.high};
+    const Mask without = uncoloured_cells(look, bed);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double value = values.values()[i];
+        if (without.empty() || without.values()[i] == 0) return {value, value};
+    }
+    return {INFINITY, -INFINITY};
+}
+
+}  // namespace
+
 void FilmPainter::fix_colours(const std::set<Moment>& shown) {
     LookSettings& look = stage_.scene.view.look;
     const bool ranged = ranges_by_values(look) && look.range == ColourSpan::run;
@@ -174,15 +192,16 @@ void FilmPainter::fix_colours(const std::set<Moment>& shown) {
             if (watery) clarity = std::max(clarity, water_clarity(look, water_statistics(*bed)));
             if (!ranged || (differs() && run > 0)) continue;
             const auto other = differs() ? panes_[1].beds->snapshot(bed_of(1, moment)) : nullptr;
-            const auto [from, to] = colour_range(
-                look, *bed, coloured_values(look, *bed, other ? *other : beds.first()));
+            const Field<float> values =
+                coloured_values(look, *bed, other ? *other : beds.first());
+            const auto [from, to] = ends_of_record(look, *bed, values);
             low = std::min(low, from);
             high = std::max(high, to);
         }
     }
     if (ranged && low < high) {
-        look.low = low;
-        look.high = high;
+        if (look.low.is_word()) look.low = low;
+        if (look.high.is_word()) look.high = high;
     }
     if (watery && clarity > 0.0) look.water_clarity = clarity;
 }

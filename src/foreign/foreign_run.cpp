@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/elementary_angle.h"
 #include "base/error.h"
 #include "base/find_named.h"
+#include "base/limits.h"
 #include "base/snapshots/ground_range.h"
 
 namespace fumon {
@@ -159,9 +161,15 @@ Snapshot foreign_bed(const ForeignRun& run, std::size_t record) {
 Snapshot foreign_snapshot(const ForeignRun& run, std::size_t record) {
     Snapshot snapshot = foreign_bed(run, record);
     if (run.has_water()) add_water(run, record, snapshot);
-    if (run.find(Quantity::concentration) != nullptr)
-        snapshot.fields.push_back({"concentration", "sediment in the water", "kg/m3",
-                                   read_of(run, Quantity::concentration, record)});
+    if (run.find(Quantity::concentration) != nullptr) {
+        // It may colour the ground alone: no file is refused for what it holds in dry cells.
+        Grid concentration = read_of(run, Quantity::concentration, record);
+        for (double& value : concentration.values())
+            if (!(std::abs(value) <= largest_field_value))
+                value = std::numeric_limits<double>::quiet_NaN();
+        snapshot.fields.push_back(
+            {"concentration", "sediment in the water", "kg/m3", std::move(concentration)});
+    }
     for (const ForeignScalar& scalar : run.scalars) {
         if (find_named(snapshot.fields, scalar.name) != nullptr) continue;
         Grid values = scalar.read(record);

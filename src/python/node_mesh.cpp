@@ -24,11 +24,24 @@ namespace py = pybind11;
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Patches = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
-std::vector<double> from_lowest(const Numbers& numbers) {
-    std::vector<double> values(numbers.data(), numbers.data() + numbers.size());
-    const double lowest = values.empty() ? 0.0 : *std::ranges::min_element(values);
-    for (double& value : values) value -= lowest;
-    return values;
+std::vector<double> values_of(const Numbers& numbers) {
+    return {numbers.data(), numbers.data() + numbers.size()};
+}
+
+/// Counts places from the lowest of those that are a corner; others, which lie in no patch, are 0.
+void count_from_lowest(std::vector<double>& places, const std::vector<std::int32_t>& corners) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const std::int32_t node : corners) {
+        const double place = places[static_cast<std::size_t>(node)];
+        if (!std::isfinite(place))
+            throw InputError("a node of the grid's patches is at no finite place");
+        lowest = std::min(lowest, place);
+    }
+    std::vector<double> counted(places.size(), 0.0);
+    for (const std::int32_t node : corners)
+        counted[static_cast<std::size_t>(node)] =
+            places[static_cast<std::size_t>(node)] - lowest;
+    places = std::move(counted);
 }
 
 /// Nodes and the triangles or polygons between them, for values of the nodes to be laid on cells.
@@ -38,7 +51,7 @@ class NodeMesh {
         if (x.size() != y.size() || patches.ndim() != 2)
             throw InputError(
                 "a grid of nodes needs as many x as y, and patches as (number, corners)");
-        FaceMesh mesh{from_lowest(x), from_lowest(y), {}, {}};
+        FaceMesh mesh{values_of(x), values_of(y), {}, {}};
         nodes_ = mesh.x.size();
         for (py::ssize_t patch = 0; patch < patches.shape(0); ++patch) {
             const std::size_t begin = mesh.corners.size();
@@ -56,7 +69,11 @@ class NodeMesh {
             }
         }
         if (mesh.faces() == 0) throw InputError("a grid of nodes without patches has no ground");
+        count_from_lowest(mesh.x, mesh.corners);
+        count_from_lowest(mesh.y, mesh.corners);
         cell_ = cell > 0.0 ? cell : cell_of_edges(mesh);
+        if (!(cell_ > 0.0))
+            throw InputError("the nodes of the grid's patches lie at one place; it has no ground");
         const double cells = (*std::ranges::max_element(mesh.x) / cell_ + 1.0) *
                              (*std::ranges::max_element(mesh.y) / cell_ + 1.0);
         if (!(cells <= static_cast<double>(largest_grid_cells)))

@@ -69,6 +69,9 @@ std::tuple<std::vector<Recognised>, std::string, double> recognise(
 /// West, south, dx, dy, whether these are degrees, and the reference system.
 using PlaceTuple = std::tuple<double, double, double, double, bool, std::string>;
 
+/// By what a reader of a field goes, beside those of quantities: "field tau".
+std::string scalar_key(const std::string& name) { return "field " + name; }
+
 RecordSource record_source(
     const std::string& name, const std::string& model, double dry, std::pair<int, int> shape,
     const std::optional<std::pair<double, double>>& cell_size,
@@ -93,9 +96,10 @@ RecordSource record_source(
     raw.origin = origin;
     run.times = run_times(raw, name);
     for (const auto& [key, words] : scalars)
-        run.scalars.push_back({key, words.first, words.second, changes.at(key), {}});
+        run.scalars.push_back(
+            {key, words.first, words.second, changes.at(scalar_key(key)), {}});
     for (const auto& [key, reader] : readers) {
-        if (scalars.contains(key)) continue;
+        if (key.starts_with(scalar_key(""))) continue;
         run.fields.push_back(
             {quantity_of(key), key, "", "", "an argument", changes.at(key), false, {}});
     }
@@ -116,7 +120,7 @@ ForeignRun RecordSource::run() const {
         };
     };
     for (ForeignField& field : run.fields) field.read = reading(field.name);
-    for (ForeignScalar& scalar : run.scalars) scalar.read = reading(scalar.name);
+    for (ForeignScalar& scalar : run.scalars) scalar.read = reading(scalar_key(scalar.name));
     return run;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/find_named.h"
 #include "base/nearest_name.h"
 #include "base/snapshots/ground_range.h"
 #include "drape/lay_drape.h"
@@ -111,6 +112,9 @@ void check_section(const Scene& scene, const Snapshot& first) {
 /// Overlays must fit the scene and the picture.
 void check_overlays(const Scene& scene, const Snapshot& first) {
     if (!has_overlays(scene)) return;
+    const LookSettings& look = scene.view.look;
+    if (colours_field(look.colour_by) && find_named(first.fields, look.field) == nullptr)
+        return;  // check_colouring() says so; a bar of its colours would say it again
     try {
         const FrameOverlays fitting(scene, first);
     } catch (const KeyError& refusal) {

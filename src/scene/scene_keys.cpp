@@ -7,6 +7,7 @@
 
 #include "base/limits.h"
 #include "files/terrain/terrain_format.h"
+#include "keys/key_value.h"
 #include "keys/keys.h"
 #include "models/registry.h"
 #include "scene/figure/figure_keys.h"
@@ -310,17 +311,20 @@ Scene default_scene(const std::string& model) {
 
 std::vector<std::string> colour_settings(const std::string& colour) {
     if (colour.empty()) return {};
+    if (colour == "natural") return {"look.colour_by=\"natural\""};  // no palette is of it
     Scene scene;
     const KeyTable table = scene_keys(scene);
     const auto& choice = std::get<ChoiceTarget>(table.find("look.colour_by")->target);
-    const bool is_word =
-        std::ranges::find(choice.words, colour, &KeyWord::word) != choice.words.end();
+    const bool names_none = colour == "field" || colour == "field-change";  // words of look.field
+    const bool is_word = !names_none && std::ranges::find(choice.words, colour, &KeyWord::word) !=
+                                            choice.words.end();
     std::vector<std::string> settings;
     if (is_word) {
         settings.push_back(fmt::format("look.colour_by=\"{}\"", colour));
     } else {
         settings.emplace_back("look.colour_by=\"field\"");
-        settings.push_back(fmt::format("look.field=\"{}\"", colour));
+        scene.view.look.field = colour;
+        settings.push_back("look.field=" + value_text(*table.find("look.field")));
     }
     const bool balanced = colour == "change";
     settings.push_back(fmt::format("look.palette=\"{}\"", balanced ? "vik" : "viridis"));

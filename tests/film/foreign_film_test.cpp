@@ -109,7 +109,7 @@ TEST_F(ForeignFilm, AMapOfTheFileColoursTheGround) {
                                 "--set", "look.palette=viridis"})
                   .status,
               0);
-    EXPECT_NE(read_text(folder_ / "plain.png"), read_text(folder_ / "coloured.png"));
+    EXPECT_NE(read_png(folder_ / "plain.png"), read_png(folder_ / "coloured.png"));
     EXPECT_EQ(read_png(folder_ / "set.png"), read_png(folder_ / "coloured.png"));
     const Ended unknown = still("no.png", {"--colour", "hmaxx"});
     EXPECT_EQ(unknown.status, 2);

@@ -59,7 +59,7 @@ def test_layers_are_brought_to_the_reference_system_of_the_heights():
 
 
 def test_what_is_no_layer_is_refused():
-    for wrong in ([3.0], [{"file": 3}], [None]):
+    for wrong in ([3.0], [{"file": 3}], [None], None, 3):
         with pytest.raises(TypeError, match="a layer is a file, features"):
             fumon.render(FLAT, layers=wrong)
     with pytest.raises(fumon.InputError, match='did you mean "layer.0.colour"'):

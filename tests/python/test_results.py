@@ -198,6 +198,9 @@ def test_a_variable_colours_the_ground(tmp_path):
         fumon.open(tmp_path / "flood.nc", colour="tua")
     with pytest.raises(ValueError, match="no map 'tua'"):
         data.fumon.results(colour="tua")
+    for own, colour in (({"zb": "bed"}, "bed"), ({"h": "depth"}, "depth")):
+        named = data.rename(own).fumon.results(colour=colour, **SMALL)[1].fields
+        assert {"water_depth", colour} <= named.keys()  # a quantity's name is a variable's, too
 
 
 def test_a_film_grows_with_a_running_model(tmp_path):

@@ -43,9 +43,9 @@ std::string beyond_scale(const WorldScale& scale) {
 
 /// Fields that are drawn as water, sand, rock and plants. Others colour the ground, and may have
 /// cells without a value (NaN).
-constexpr std::array<std::string_view, 12> whole_fields{
-    "water_depth", "velocity_x",  "velocity_y",     "sand",  "rock",   "cover",
-    "moving_sand", "wind_shadow", "last_avalanche", "grass", "shrubs", "water_level"};
+constexpr std::array<std::string_view, 11> whole_fields{
+    "water_depth", "velocity_x",  "velocity_y",     "sand",  "rock",  "cover",
+    "moving_sand", "wind_shadow", "last_avalanche", "grass", "shrubs"};
 
 /// In cells without data a field may hold anything.
 std::string beyond_field(const SnapshotField& field, const Mask& nodata) {

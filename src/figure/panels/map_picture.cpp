@@ -218,7 +218,7 @@ std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const S
         std::transform(values.values().begin(), values.values().end(),
                        picture.values.values().begin(),
                        [&](float value) { return quantity.factor * static_cast<double>(value); });
-        picture.blank = uncoloured_cells(look, snapshot);
+        picture.blank = uncoloured_cells(look, snapshot, first);
         picture.scale = snapshot.scale;
         picture.colours = {palette_of(look, quantity.palette), quantity.factor * range.first,
                            quantity.factor * range.second, quantity.label};

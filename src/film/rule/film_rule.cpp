@@ -373,7 +373,9 @@ class RuledFilm {
         if (!first.winds.empty() && landform() == Landform::bed)
             text += "[[overlay]]\nkind = \"arrow\"\ncorner = \"upper-right\"\n\n";
         const bool coloured = runs_.first().scene().view.look.colour_by != Colouring::natural;
-        if (coloured || !colours_.empty())
+        const bool asked = std::ranges::find(colours_, "look.palette", &Override::path) !=
+                           colours_.end();  // natural colours have none, and mean no quantity
+        if (asked || (coloured && colours_.empty()))
             text += fmt::format("[[overlay]]\nkind = \"colour-bar\"\ncorner = \"{}-right\"\n\n",
                                 style_.style == FilmStyle::survey ? "upper" : "lower");
         if (style_.style == FilmStyle::survey)

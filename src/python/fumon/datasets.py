@@ -58,8 +58,9 @@ def results_of_dataset(dataset: Any, named: _Quantities, look: Mapping[str, Sett
             raise ValueError(f"{first.name} {first.dims} and {wanted_field} {values.dims} lie on different grids")
         scalars[wanted_field] = (" ".join(str(values.attrs.get("long_name", wanted_field)).replace("_", " ").split()),
                                  str(values.attrs.get("units", "")))
-        changes[wanted_field] = along in values.dims
-        readers[wanted_field] = _reader(values, along, 1.0, 0.0)
+        key = f"field {wanted_field}"  # a variable may be called as a quantity is: bed, depth
+        changes[key] = along in values.dims
+        readers[key] = _reader(values, along, 1.0, 0.0)
     source = _core.RecordSource(name, model, dry, plane.shape, size, place, times, counted, origin, readers, changes, scalars)
     return results_of(source, settings)
 

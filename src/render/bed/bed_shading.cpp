@@ -138,9 +138,10 @@ const gl::TextureLayout cover_layout{GL_RGBA8,  GL_RGBA, GL_UNSIGNED_BYTE,
                                      GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
 
 /// 255 in the cells that get no palette place, 1 × 1 where all do.
-Field<std::uint8_t> uncoloured_texels(const LookSettings& look, const Snapshot& snapshot) {
+Field<std::uint8_t> uncoloured_texels(const LookSettings& look, const Snapshot& snapshot,
+                                      const Snapshot& first) {
     if (!leaves_cells_uncoloured(look.colour_by)) return {1, 1, 0};
-    Field<std::uint8_t> texels = uncoloured_cells(look, snapshot);
+    Field<std::uint8_t> texels = uncoloured_cells(look, snapshot, first);
     if (texels.empty()) return {snapshot.bed.nx(), snapshot.bed.ny(), 0};
     for (std::uint8_t& texel : texels.values()) texel = texel != 0 ? 255 : 0;
     return texels;
@@ -265,17 +266,18 @@ Field<float> BedShading::ranged_values(const Snapshot& snapshot, const Snapshot&
     } else {
         range_ = frame_colour_range(view_.look, snapshot, values, range_, keeps_range_);
     }
-    const Mask without = uncoloured_cells(view_.look, snapshot);
+    const Mask without = uncoloured_cells(view_.look, snapshot, first);
     if (!without.empty()) extrapolate_outward(values, without, static_cast<float>(range_.low));
     return values;
 }
 
-void BedShading::upload_marks(const Snapshot& snapshot, const DrawnOrigin& origin) {
+void BedShading::upload_marks(const Snapshot& snapshot, const Snapshot& first,
+                              const DrawnOrigin& origin) {
     const auto upload = [&](gl::Texture2D& texture, const Field<std::uint8_t>& texels) {
         texture.upload(rolled(texels, origin.east, origin.north).data());
     };
     upload(marks_, mark_texels(view_.look.mark, snapshot));
-    upload(uncoloured_, uncoloured_texels(view_.look, snapshot));
+    upload(uncoloured_, uncoloured_texels(view_.look, snapshot, first));
 }
 
 void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
@@ -290,7 +292,7 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
     const Field<std::uint16_t> positions =
         palette_coordinates(refined(values, refinement_), {range_.low, range_.high});
     values_.upload(positions.data());
-    upload_marks(snapshot, {});
+    upload_marks(snapshot, first, {});
     if (water_) water_->upload(snapshot, first, *water, positions);
 }
 
@@ -309,7 +311,7 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first, const R
     values_.upload(
         palette_coordinates(without_margin(wide, margin * refinement_), {range_.low, range_.high})
             .data());
-    upload_marks(snapshot, origin);
+    upload_marks(snapshot, first, origin);
 }
 
 void BedShading::upload_water(const Snapshot& snapshot, const Snapshot& first,

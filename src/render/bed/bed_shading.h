@@ -93,7 +93,7 @@ class BedShading {
     [[nodiscard]] bool sized_by_view() const;
     void size_for(const VisiblePart& part);
     Field<float> ranged_values(const Snapshot& snapshot, const Snapshot& first);
-    void upload_marks(const Snapshot& snapshot, const DrawnOrigin& origin);
+    void upload_marks(const Snapshot& snapshot, const Snapshot& first, const DrawnOrigin& origin);
 
     View view_;
     Block block_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -94,17 +95,24 @@ const SnapshotField& coloured_field(const LookSettings& look, const Snapshot& sn
                     known.empty() ? std::string("it has none") : suggestion(look.field, known)));
 }
 
-Mask uncoloured_cells(const LookSettings& look, const Snapshot& snapshot) {
+Mask uncoloured_cells(const LookSettings& look, const Snapshot& snapshot, const Snapshot& first) {
     if (colours_water(look.colour_by)) return dry_cells(snapshot);
     if (!colours_field(look.colour_by)) return snapshot.nodata;
-    const Grid& values = coloured_field(look, snapshot).values;
     Mask without = snapshot.nodata;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (std::isfinite(values.values()[i])) continue;
-        if (without.empty()) without = Mask(values.nx(), values.ny());
-        without.values()[i] = 1;
-    }
+    const auto add_gaps = [&](const Grid& values) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (std::isfinite(values.values()[i])) continue;
+            if (without.empty()) without = Mask(values.nx(), values.ny());
+            without.values()[i] = 1;
+        }
+    };
+    add_gaps(coloured_field(look, snapshot).values);
+    if (look.colour_by == Colouring::field_change) add_gaps(coloured_field(look, first).values);
     return without;
+}
+
+Mask uncoloured_cells(const LookSettings& look, const Snapshot& snapshot) {
+    return uncoloured_cells(look, snapshot, snapshot);
 }
 
 namespace {
@@ -118,7 +126,8 @@ Field<float> field_values(const LookSettings& look, const Snapshot& snapshot,
     for (std::size_t i = 0; i < result.size(); ++i) {
         const double value =
             values.values()[i] - (reference != nullptr ? reference->values()[i] : 0.0);
-        result.values()[i] = std::isfinite(value) ? static_cast<float>(value) : 0.0F;
+        result.values()[i] = std::isfinite(value) ? static_cast<float>(value)
+                                                  : std::numeric_limits<float>::quiet_NaN();
     }
     return result;
 }
@@ -154,9 +163,11 @@ std::pair<double, double> ends_of_values(const LookSettings& look, const Snapsho
                                          const Field<float>& values, const RangeTails& tails) {
     std::vector<float> known;
     known.reserve(values.size());
-    const Mask without = uncoloured_cells(look, snapshot);
+    const bool by_field = colours_field(look.colour_by);  // whose gaps are NaN among the values
+    const Mask without = by_field ? snapshot.nodata : uncoloured_cells(look, snapshot);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (without.empty() || without.values()[i] == 0) known.push_back(values.values()[i]);
+        if (!without.empty() && without.values()[i] != 0) continue;
+        if (!std::isnan(values.values()[i])) known.push_back(values.values()[i]);
     }
     double low = percentile(known, tails.low);
     double high = percentile(known, 1.0 - tails.high);

@@ -21,8 +21,10 @@ bool colours_field(Colouring colour_by);
 bool leaves_cells_uncoloured(Colouring colour_by);
 
 /// 1 for the cells that have no value to colour: those without data, where the colours mean the
-/// water dry ones, and where they mean a field those without a value of it. Empty when all have
-/// one.
+/// water dry ones, and where they mean a field, or its change since `first`, those without a value
+/// of it. Empty when all have one.
+Mask uncoloured_cells(const LookSettings& look, const Snapshot& snapshot, const Snapshot& first);
+/// Likewise, of a field's change only those without a value in the snapshot.
 Mask uncoloured_cells(const LookSettings& look, const Snapshot& snapshot);
 
 /// The field that look.field names. Throws InputError, with the names that there are, for another.
@@ -30,7 +32,7 @@ const SnapshotField& coloured_field(const LookSettings& look, const Snapshot& sn
 
 /// What is coloured, for every cell of the bed: heights, slopes in degrees (not exaggerated),
 /// heights less the first ones, decimal logarithms of the drained areas, a quantity of the water, 0
-/// in dry cells, or a field or its change, 0 in cells without a value. Throws InputError for what
+/// in dry cells, or a field or its change, NaN in cells without a value. Throws InputError for what
 /// the snapshot has not.
 Field<float> coloured_values(const LookSettings& look, const Snapshot& snapshot,
                              const Snapshot& first);

@@ -33,10 +33,10 @@ double height_at(const Snapshot& snapshot, double x, double y) {
     const double column = std::clamp(x, -1e8, 1e8) - 0.5;
     const double row = std::clamp(y, -1e8, 1e8) - 0.5;
     const auto height = [&](double i, double j) {
-        const auto [x, y] =
+        const auto [known_column, known_row] =
             known_cell(snapshot.nodata, cell(column + i, bed.nx(), snapshot.periodic),
                        cell(row + j, bed.ny(), snapshot.periodic));
-        return bed(x, y);
+        return bed(known_column, known_row);
     };
     const double east = column - std::floor(column);
     const double north = row - std::floor(row);
