@@ -326,7 +326,7 @@ std::vector<std::string> colour_settings(const std::string& colour) {
         scene.view.look.field = colour;
         settings.push_back("look.field=" + value_text(*table.find("look.field")));
     }
-    const bool balanced = colour == "change";
+    const bool balanced = colour == "change" || colour == "field-change";
     settings.push_back(fmt::format("look.palette=\"{}\"", balanced ? "vik" : "viridis"));
     return settings;
 }

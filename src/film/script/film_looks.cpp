@@ -116,13 +116,31 @@ void put(std::vector<Override>& looks, Override setting) {
 void find_layer_file(LayerSettings& layer, const Override& setting) {
     if (setting.place.starts_with("--set") || layer.file.empty()) return;
     const std::filesystem::path film(setting.place.substr(0, setting.place.rfind(':')));
-    if (film.extension() != ".toml" && film.has_extension()) {
+    std::string ending = film.extension().string();
+    for (char& letter : ending)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    if (ending != ".toml") {
         throw InputError(
             fmt::format("{}: {}: a film within a movie or picture reads no files; write "
                         "it to a film file of your own",
                         setting.place, setting.path));
     }
     layer.file = std::filesystem::absolute(film.parent_path() / layer.file).string();
+}
+
+/// A film is seen in perspective, and a lens that it names stands in place of the run's: keys of the
+/// run that set the same quantity, or belong to a lens which is gone, are not said any more.
+void take_lens(const std::set<std::string>& given, CameraSettings& camera) {
+    const auto says = [&](const char* key) { return given.contains(key); };
+    camera.projection = Projection::perspective;
+    if (says("camera.field_of_view") && !says("camera.focal_length"))
+        camera.focal_length = WordOrReal{"auto", 0.0};
+    if (says("camera.aperture") && !says("camera.f_number"))
+        camera.f_number = WordOrReal{"pinhole", 0.0};
+    if (says("camera.f_number") && !says("camera.aperture")) camera.aperture = 0.0;
+    if (camera.has_lens()) return;
+    if (!says("camera.focus")) camera.focus = WordOrReal{"auto", 0.0};
+    if (!says("camera.lens_samples")) camera.lens_samples = WordOrReal{"auto", 0.0};
 }
 
 /// The settings as sections of a film, each under a header of its own.
@@ -281,6 +299,7 @@ Scene with_looks(Scene scene, const std::vector<Override>& looks) {
         if (setting.path.starts_with("layer.") && setting.path.ends_with(".file"))
             find_layer_file(scene.view.layers[std::stoul(setting.path.substr(6))], setting);
     }
+    take_lens(given, scene.view.camera);
     SunSettings& sun = scene.view.sun;
     if (given.contains("sun.azimuth") || given.contains("sun.elevation")) {
         if (!given.contains("sun.place")) sun.place.clear();

@@ -25,8 +25,9 @@ constexpr float bloom_of_moon = 2e-7F;
 Tone chosen_tone(const LookSettings& look, const Light& light) {
     if (look.tone != Tone::automatic && look.tone != Tone::automatic_0_2) return look.tone;
     const bool endless = look.ground == Ground::endless;
-    if (endless && look.cover == LandCover::automatic) return Tone::filmic;
-    const bool punchy = endless || (look.tone == Tone::automatic && light.atmosphere);
+    const bool automatic = look.tone == Tone::automatic;
+    if (automatic && endless && look.cover == LandCover::automatic) return Tone::filmic;
+    const bool punchy = endless || (automatic && light.atmosphere);
     return punchy ? Tone::agx_punchy : Tone::filmic;
 }
 

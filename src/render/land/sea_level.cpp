@@ -7,7 +7,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double least_share = 0.1;
+constexpr double least_share = 0.2;
 constexpr float edge_within = 1.5F;   // cells
 constexpr float inner_from = 3.5F;    // cells
 constexpr float inner_within = 5.0F;  // cells

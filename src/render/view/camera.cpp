@@ -105,9 +105,13 @@ void fit_orthographic(Camera& camera, const CameraSettings& settings, const Bloc
     camera.eye = middle.x * camera.right + middle.y * camera.up - 3.0 * camera.forward;
 }
 
-/// Puts a camera before a block around which land goes on: what lies nearer than the block is not
-/// seen, or as little as its breadth allows.
+/// Moves a camera to which a block is fitted nearer, where land goes on around the block: what lies
+/// nearer than the block is not seen, or as little as its breadth allows. Among
+/// mountains the camera stays as high as the highest of them, so that it does not stand before a
+/// wall.
 void stand_before(Camera& camera, const Block& block) {
+    const glm::dvec3 middle(0.0, 0.0, block.surface);
+    const double fitted = glm::dot(middle - camera.eye, camera.forward);
     const glm::dvec2 toward = -glm::normalize(glm::dvec2(camera.forward));
     const glm::dvec2 aside(camera.right);
     double reach = 0.0;
@@ -124,7 +128,9 @@ void stand_before(Camera& camera, const Block& block) {
             -glm::dot(glm::dvec2(camera.forward), toward) + camera.forward.z * ahead;
         if (nearer > 0.0) distance = std::min(distance, reach / nearer);
     }
-    camera.eye = glm::dvec3(0.0, 0.0, block.surface) - distance * camera.forward;
+    const double over_all = (block.top - block.surface) / -camera.forward.z;
+    distance = std::max(distance, block.rock * std::min(over_all, fitted));
+    camera.eye = middle - distance * camera.forward;
 }
 
 /// Puts a camera at a place, or lets it look at one.
@@ -204,6 +210,7 @@ Camera place_camera(const CameraSettings& settings, const Block& block, double a
         if (!camera.perspective) camera.half *= used.distance.value;
     } else if (camera.perspective && block.goes_on && used.distance.word == "auto" &&
                used.turn == 0.0 && used.elevation < steep_view) {
+        fit_perspective(camera, used, block);
         stand_before(camera, block);
     } else if (camera.perspective) {
         fit_perspective(camera, used, block);
