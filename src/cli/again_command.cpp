@@ -325,6 +325,12 @@ int perform(const AgainOptions& options) {
         return make_film_again(
             {options.picture, options.output, options.force, options.trust, options.work});
     const PictureOrigin origin = read_origin(options.picture);
+    if (!origin.results.empty()) {
+        throw InputError(fmt::format(
+            "{0}: was drawn of {1}, the results of another model, of which fumon again makes only "
+            "films; draw it by `fumon still {1} --step {2}`",
+            options.picture, origin.results, origin.step));
+    }
     if (!options.output.empty())
         check_ending(options.output, origin.is_movie ? "a movie" : "a picture",
                      origin.is_movie ? std::span<const std::string_view>(movie_ending)

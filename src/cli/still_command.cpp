@@ -178,8 +178,10 @@ void draw_stored(const StillOptions& options, const std::string& run) {
                                   snapshot->step, beds.beds()[number].time, *options.time));
     const std::vector<MeasuredRows> rows = beds.measurements(plotted_columns(scene));
     stand_on_drawn_ground(scene.view, beds.first(), *snapshot);
-    draw_still({scene, beds.inputs(), rows[number]}, beds.first(), *snapshot, options.output,
-               options.work, progress);
+    const std::string results =
+        beds.foreign() != nullptr ? fs::path(beds.name()).filename().string() : "";
+    draw_still({scene, beds.inputs(), rows[number], results}, beds.first(), *snapshot,
+               options.output, options.work, progress);
 }
 
 int perform(const StillOptions& asked) {

@@ -31,6 +31,7 @@ constexpr const char* inputs_keyword = "fumon:inputs";
 constexpr const char* pixels_keyword = "fumon:pixels-sha256";
 constexpr const char* encoder_keyword = "fumon:encoder";
 constexpr const char* environment_keyword = "fumon:environment";
+constexpr const char* results_keyword = "fumon:results";
 
 std::string inputs_text(const std::vector<InputFile>& inputs) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -100,6 +101,11 @@ PictureText picture_text(const std::string& resolved, const Scene& scene, std::i
     return texts;
 }
 
+PictureText of_results(PictureText texts, const std::string& name) {
+    if (!name.empty()) texts.emplace_back(results_keyword, name);
+    return texts;
+}
+
 PictureText movie_text(const std::string& resolved, const Scene& scene,
                        const std::vector<InputFile>& inputs, const FrameList& frames,
                        const RenderingEnvironment& environment) {
@@ -153,6 +159,7 @@ PictureOrigin read_origin(const std::filesystem::path& picture) {
     origin.is_exr = light;
     origin.ending = movie ? ".mp4" : light ? ".exr" : usual_ending(head);
     origin.encoder = texts[encoder_keyword];
+    origin.results = texts[results_keyword];
     if (texts.contains(environment_keyword))
         origin.environment = parse_drawn_by(texts[environment_keyword], picture.string());
     return origin;

@@ -138,8 +138,8 @@ DrawnStill draw_exr(const StillSubject& subject, const Snapshot& first, const Sn
     const DrawingRecord& record = drawing.record;
     report_drawing(record, progress);
     const Sha256 hash = layers_hash(drawing.layers);
-    write_bytes(file, exr_file(scene, drawing,
-                               text_of(scene, subject.inputs, snapshot.step, hash, record)));
+    const PictureText text = text_of(scene, subject.inputs, snapshot.step, hash, record);
+    write_bytes(file, exr_file(scene, drawing, of_results(text, subject.results)));
     if (has_overlays(scene)) progress.note("overlays are not part of an OpenEXR file");
     if (record.exaggeration != 1.0)
         progress.note(fmt::format("vertical exaggeration {:g}", record.exaggeration));
@@ -202,7 +202,8 @@ DrawnStill draw_still(const StillSubject& subject, const Snapshot& first, const 
     report_drawing(drawing.record, progress);
     const Scene& scene = subject.scene;
     const Sha256 pixels = pixel_hash(drawing.image);
-    const PictureText text = text_of(scene, subject.inputs, snapshot.step, pixels, drawing.record);
+    const PictureText text = of_results(
+        text_of(scene, subject.inputs, snapshot.step, pixels, drawing.record), subject.results);
     const PictureFormat format = picture_format(file);
     write_bytes(file, pixel_file(scene, drawing, format, text));
     if (format == PictureFormat::jpeg && drawing.image.transparent())

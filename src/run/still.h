@@ -48,6 +48,7 @@ struct StillSubject {
     const Scene& scene;
     const std::vector<InputFile>& inputs;
     MeasuredRows rows{};
+    std::string results{};  ///< the name of another model's results, of which they are drawn
 };
 
 /// Of a run as far as its model has come.

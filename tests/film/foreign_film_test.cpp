@@ -60,6 +60,11 @@ TEST_F(ForeignFilm, AStillIsOfARecord) {
     EXPECT_NE(last.errors.find("step 2, at 60, is the nearest to --time 58"), std::string::npos)
         << last.errors;
     EXPECT_NE(read_text(folder_ / "first.png"), read_text(folder_ / "last.png"));
+    const Ended again = run({"again", "first.png", "-o", "again.png"});
+    EXPECT_EQ(again.status, 2);
+    EXPECT_NE(again.errors.find("first.png: was drawn of flood.nc"), std::string::npos)
+        << again.errors;
+    EXPECT_FALSE(fs::exists(folder_ / "again.png"));
 }
 
 TEST_F(ForeignFilm, FieldsOfFumonNeedNoFolder) {
