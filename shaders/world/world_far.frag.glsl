@@ -37,7 +37,8 @@ vec4 far_colour(SurfacePoint at) {
     vec3 albedo = albedo_of(sand, share.y * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z);
     if (clouds > 0.5) point.sun *= cloud_shade(at.offset);
     float standing = rippled(sand.a, surface.r, length(slope));
-    vec2 kept = kept_unevenness(at, dot(point.normal, to_sun), share.x * unevenness(sand.a).x);
+    float steepness = share.x * unevenness(sand.a).x * (draped > 0.5 ? 1.0 - laid.share : 1.0);
+    vec2 kept = kept_unevenness(at, dot(point.normal, to_sun), steepness);
     point.normal = normalize(vec3(point.normal.xy - kept.x * uneven.xy * point.normal.z, point.normal.z));
     if (has_rock()) wear(point.normal, albedo, at, rocky, length(slope));
     albedo = with_drape(albedo, laid);

@@ -195,7 +195,8 @@ vec4 near_colour(SurfacePoint at) {
     float slid = surface.g * smoothstep(min_avalanche_slope, 0.56, slope.steep * true_size) * smoothstep(least_slip_slope, min_avalanche_slope, fall_at(at) * true_size) * sand.a * (1.0 - 0.85 * smoothed) * (1.0 - plain * rock);
     vec3 tongue = vec3(0.0);
     if (slid_sand > 0.5) tongue = slid * tongues(at, slope.across);
-    vec2 kept = kept_unevenness(at, dot(vec3(-slope.rise, 1.0), to_sun) * inversesqrt(1.0 + slope.steep * slope.steep), share.x * unevenness(sand.a).x);
+    float steepness = share.x * unevenness(sand.a).x * (draped > 0.5 ? 1.0 - laid.share : 1.0);
+    vec2 kept = kept_unevenness(at, dot(vec3(-slope.rise, 1.0), to_sun) * inversesqrt(1.0 + slope.steep * slope.steep), steepness);
     Sand here = Sand(wander.height, phase, resolved, sand.a, open, tongue.xy + kept.x * uneven.xy, kept.y);
     Lit lit = lit_part(slope, to_half, here, wander);
     if (single_surface_pixels > 0.5) {
