@@ -71,7 +71,7 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
         if (overlay.font_size.is_word())
             overlay.font_size =
                 std::max(6.0, film.settings.cap_height / cap_height_em * side / usual_side_pixels);
-    keep_clear(side);
+    keep_clear(safe_edge_share * side);
     for (std::size_t i = 0; i < film.shots.size(); ++i) shots_.emplace_back(film, i, stage_, runs);
     for (const StagedShot& shot : shots_)
         if (!shot.note().empty()) notes_.push_back(shot.note());
@@ -102,40 +102,6 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
     titles_ = std::make_unique<Titles>(film, whole, runs.first().first(), facts, timeline_, taken);
     for (const std::string& missing : {titles_->missing_letters(), layout_.missing_letters()})
         if (!missing.empty()) notes_.push_back(missing);
-}
-
-/// Of blocks side by side, each is seen clear of what stands over the whole picture.
-void FilmPainter::keep_clear(double side) {
-    if (layout_.boxes().size() < 2 || stage_.scene.view.look.ground == Ground::endless) return;
-    Scene lettered = stage_.scene;
-    lettered.view.image.width = size_.width;
-    lettered.view.image.height = size_.height;
-    lettered.view.layers.clear();
-    lettered.view.placed_layers.reset();
-    lettered.view.look.contours = WordOrReal{"none", 0.0};
-    std::erase_if(lettered.view.overlays,
-                  [](const OverlaySettings& overlay) { return overlay.kind == OverlayKind::plot; });
-    name_parameter_keys(lettered);
-    std::vector<PlacedOverlay> placed;
-    try {
-        placed = FrameOverlays(lettered, runs_.first().first(),
-                               {film_.settings.plates == Plates::none, true, safe_edge_share * side,
-                                runs_.first().beds().back().time, layout_.strip()})
-                     .placed();
-    } catch (const KeyError&) {
-        return;  // place_overlays() says at which key
-    }
-    for (const PaneBox& pane : layout_.boxes()) {
-        const auto in_pane = [&](double x, double y) {
-            return glm::dvec2(2.0 * (x - pane.x) / pane.width - 1.0,
-                              1.0 - 2.0 * (y - pane.y) / pane.height);
-        };
-        for (const PlacedOverlay& overlay : placed) {
-            const CanvasBox& box = overlay.box;
-            stage_.kept_clear.push_back(
-                {in_pane(box.x, box.y + box.height), in_pane(box.x + box.width, box.y)});
-        }
-    }
 }
 
 /// What each run's part of the picture is drawn with: its own scene under one look.

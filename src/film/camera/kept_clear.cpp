@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "film/camera/camera_distance.h"
+#include "render/view/camera.h"
 
 namespace fumon {
 
@@ -19,6 +20,31 @@ bool are_parted(const std::vector<glm::dvec2>& points, const PictureBox& box,
     const double reach = glm::dot(glm::abs(across), 0.5 * (box.high - box.low));
     const double at = glm::dot(middle, across);
     return glm::dot(least, across) > at + reach || glm::dot(most, across) < at - reach;
+}
+
+/// The corners of the convex hull of points, counterclockwise (Andrew 1979).
+std::vector<glm::dvec2> hull_of(std::vector<glm::dvec2> points) {
+    std::ranges::sort(points, [](const glm::dvec2& one, const glm::dvec2& other) {
+        return one.x != other.x ? one.x < other.x : one.y < other.y;
+    });
+    const auto turns_left = [](const glm::dvec2& from, const glm::dvec2& at, const glm::dvec2& to) {
+        const glm::dvec2 one = at - from;
+        const glm::dvec2 other = to - at;
+        return one.x * other.y - one.y * other.x > 0.0;
+    };
+    std::vector<glm::dvec2> hull;
+    for (int side = 0; side < 2; ++side) {
+        const std::size_t first = hull.size();
+        for (const glm::dvec2& point : points) {
+            while (hull.size() >= first + 2 &&
+                   !turns_left(hull[hull.size() - 2], hull[hull.size() - 1], point))
+                hull.pop_back();
+            hull.push_back(point);
+        }
+        hull.pop_back();
+        std::ranges::reverse(points);
+    }
+    return hull;
 }
 
 /// Where the block's corners are seen in a picture.
@@ -41,11 +67,10 @@ bool hull_meets_box(const std::vector<glm::dvec2>& points, const PictureBox& box
     if (std::ranges::any_of(sides,
                             [&](const glm::dvec2& side) { return are_parted(points, box, side); }))
         return false;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            const glm::dvec2 edge = points[i] - points[j];
-            if (are_parted(points, box, {-edge.y, edge.x})) return false;
-        }
+    const std::vector<glm::dvec2> hull = hull_of(points);
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const glm::dvec2 edge = hull[(i + 1) % hull.size()] - hull[i];
+        if (are_parted(hull, box, {-edge.y, edge.x})) return false;
     }
     return true;
 }
