@@ -185,6 +185,17 @@ float roughened(float direct, vec3 normal, vec3 to_eye, float least) {
 float metres(float block_lengths) { return block_lengths * (0.12 / ripple_length); }
 vec3 in_metres(vec3 offset) { return vec3(whole_eye + offset.xy, offset.z + eye.z) * (0.12 / ripple_length); }
 
+// How much of the sand's unevenness is seen as slopes, and the variance of the rest, of which `mean_facing` gives the mean
+// light: where the sun stands little higher than those slopes, bumps that are few pixels wide shade one another.
+// `n_dot_l`: of the bed without them. `steepness`: what relief() is multiplied by, whose own slope deviates by about 0.4.
+vec2 kept_unevenness(SurfacePoint at, float n_dot_l, float steepness) {
+    float footprint = metres(max(length(at.along), length(at.up)));
+    float deviation = 0.4 * steepness;
+    float unshaded = smoothstep(1.0, 4.0, n_dot_l / max(deviation, 1e-4));
+    float kept = mix(1.0, unshaded, smoothstep(0.01, 0.05, footprint));
+    return vec2(kept, deviation * deviation * (1.0 - kept * kept));
+}
+
 // How much of light at a place is left by the air before it, a mean of the colours.
 float seen_through_air(SurfacePoint at) { return dot(air_left(length(at.offset)), vec3(1.0 / 3.0)); }
 

@@ -37,11 +37,13 @@ vec4 far_colour(SurfacePoint at) {
     vec3 albedo = albedo_of(sand, share.y * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z);
     if (clouds > 0.5) point.sun *= cloud_shade(at.offset);
     float standing = rippled(sand.a, surface.r, length(slope));
-    point.normal = normalize(vec3(point.normal.xy - uneven.xy * point.normal.z, point.normal.z));
+    float steepness = share.x * unevenness(sand.a).x * (draped > 0.5 ? 1.0 - laid.share : 1.0);
+    vec2 kept = kept_unevenness(at, dot(point.normal, to_sun), steepness);
+    point.normal = normalize(vec3(point.normal.xy - kept.x * uneven.xy * point.normal.z, point.normal.z));
     if (has_rock()) wear(point.normal, albedo, at, rocky, length(slope));
     albedo = with_drape(albedo, laid);
     float spread = 0.7 * ripple_slope * standing * dot(facing_of(slope), to_sun.xy);
-    float n_dot_l = mean_facing(dot(point.normal, to_sun), spread);
+    float n_dot_l = mean_facing(dot(point.normal, to_sun), sqrt(spread * spread + kept.y));
     float direct = roughened(point.sun * n_dot_l, point.normal, to_eye, least_facing(rocky));
     vec4 lit = colour_at_eye(ground_light_of(albedo, direct, point, to_eye, 1.0), at, to_eye, point.sun);
     return vec4(as_it_is(lit.rgb, laid, seen_through_air(at)), lit.a);

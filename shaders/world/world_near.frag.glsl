@@ -123,6 +123,7 @@ struct Sand {
     float bare;
     float open;
     vec2 uneven;  // slope besides theirs
+    float variance;  // of what is not in that slope
 };
 
 // What a part of a pixel gets of the light.
@@ -142,7 +143,7 @@ Lit lit_part(Slope slope, vec3 to_part, Sand sand, Wander wander) {
     vec2 tilt = facing * (ripple_slope * lit.standing * sand.resolved * profile(wave.x)) + sand.uneven;
     lit.point.normal = normalize(vec3(-slope.rise - tilt, 1.0));
     float spread = 0.7 * ripple_slope * lit.standing * (1.0 - sand.resolved) * dot(facing, to_sun.xy);
-    lit.direct = lit.point.sun * mean_facing(dot(lit.point.normal, to_sun), spread);
+    lit.direct = lit.point.sun * mean_facing(dot(lit.point.normal, to_sun), sqrt(spread * spread + sand.variance));
     lit.trough = wave.y;
     return lit;
 }
@@ -194,7 +195,9 @@ vec4 near_colour(SurfacePoint at) {
     float slid = surface.g * smoothstep(min_avalanche_slope, 0.56, slope.steep * true_size) * smoothstep(least_slip_slope, min_avalanche_slope, fall_at(at) * true_size) * sand.a * (1.0 - 0.85 * smoothed) * (1.0 - plain * rock);
     vec3 tongue = vec3(0.0);
     if (slid_sand > 0.5) tongue = slid * tongues(at, slope.across);
-    Sand here = Sand(wander.height, phase, resolved, sand.a, open, tongue.xy + uneven.xy);
+    float steepness = share.x * unevenness(sand.a).x * (draped > 0.5 ? 1.0 - laid.share : 1.0);
+    vec2 kept = kept_unevenness(at, dot(vec3(-slope.rise, 1.0), to_sun) * inversesqrt(1.0 + slope.steep * slope.steep), steepness);
+    Sand here = Sand(wander.height, phase, resolved, sand.a, open, tongue.xy + kept.x * uneven.xy, kept.y);
     Lit lit = lit_part(slope, to_half, here, wander);
     if (single_surface_pixels > 0.5) {
         Slope other = slope;

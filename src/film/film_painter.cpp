@@ -66,14 +66,16 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
       cache_(cache),
       prefetch_(pool.size()) {
     if (layout_.boxes().size() > 1) stage_.overrun = overrun_of_pane(stage_.aspect);
-    for (std::size_t i = 0; i < film.shots.size(); ++i) shots_.emplace_back(film, i, stage_, runs);
-    for (const StagedShot& shot : shots_)
-        if (!shot.note().empty()) notes_.push_back(shot.note());
     const double side = static_cast<double>(std::min(size.width, size.height));
-    for (OverlaySettings& overlay : stage_.scene.view.overlays) {
+    for (OverlaySettings& overlay : stage_.scene.view.overlays)
         if (overlay.font_size.is_word())
             overlay.font_size =
                 std::max(6.0, film.settings.cap_height / cap_height_em * side / usual_side_pixels);
+    keep_clear(safe_edge_share * side);
+    for (std::size_t i = 0; i < film.shots.size(); ++i) shots_.emplace_back(film, i, stage_, runs);
+    for (const StagedShot& shot : shots_)
+        if (!shot.note().empty()) notes_.push_back(shot.note());
+    for (OverlaySettings& overlay : stage_.scene.view.overlays) {
         if (differs() && overlay.kind == OverlayKind::colour_bar && overlay.text.empty())
             overlay.text = colours_field(stage_.scene.view.look.colour_by)
                                ? "difference of " + stage_.scene.view.look.field

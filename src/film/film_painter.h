@@ -101,6 +101,7 @@ class FilmPainter : public FilmFrames {
     [[nodiscard]] bool differs() const { return film_.panes.show == PanesShow::difference; }
     [[nodiscard]] std::size_t bed_of(std::size_t run, const Moment& moment) const;
     [[nodiscard]] std::set<Moment> shown_moments() const;
+    void keep_clear(double edge);
     void stage_panes(const std::vector<Override>& looks);
     void fix_ranges(const std::set<Moment>& shown);
     void note_jumps(const std::set<Moment>& shown);

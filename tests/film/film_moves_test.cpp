@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/glm.hpp>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
+#include "film/camera/camera_distance.h"
 #include "film/camera/followed.h"
+#include "film/camera/kept_clear.h"
 #include "film/camera/moves.h"
 #include "film/film_painter.h"
 #include "film/film_read.h"
@@ -54,6 +58,26 @@ std::string fault_of_shot(const std::string& shot) {
         return fault.what();
     }
     return "";
+}
+
+TEST(FilmShot, StandsFartherWhereABlockWouldMeetWhatIsKeptClear) {
+    const std::vector<glm::dvec2> diamond{{0.0, -0.5}, {0.5, 0.0}, {0.0, 0.5}, {-0.5, 0.0}};
+    EXPECT_FALSE(hull_meets_box(diamond, {{-0.9, -0.9}, {-0.26, -0.26}}));
+    EXPECT_TRUE(hull_meets_box(diamond, {{-0.9, -0.9}, {-0.24, -0.24}}));
+    EXPECT_TRUE(hull_meets_box(diamond, {{-0.1, -0.1}, {0.1, 0.1}}));
+    EXPECT_FALSE(hull_meets_box(diamond, {{-0.9, -0.9}, {0.9, -0.51}}));
+
+    StagedFilm at("seconds = 1\n");
+    const auto away = [&] { return fit_distance(at.stage, {0.0, 0.0, 0.0}, 180.0, 80.0, 50.0); };
+    const double fitting = away();
+    at.stage.kept_clear = {{{-0.9, -0.99}, {-0.6, -0.98}}};
+    EXPECT_EQ(away(), fitting) << "the block reaches to its sides, not as far down";
+    at.stage.kept_clear = {{{-0.9, -0.9}, {-0.75, -0.3}}};
+    const double clear = away();
+    EXPECT_GT(clear, 1.1 * fitting);
+    EXPECT_LT(clear, 1.4 * fitting);
+    at.stage.kept_clear = {{{-0.1, -0.1}, {0.1, 0.1}}};
+    EXPECT_EQ(away(), fitting) << "in front of the block's middle";
 }
 
 TEST(FilmShot, SaysThatItsKeysLieInTheGround) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "film/beds/stored_beds.h"
@@ -14,12 +15,19 @@
 
 namespace fumon {
 
+/// A part of a picture, −1 … 1 from left to right and from bottom to top.
+struct PictureBox {
+    glm::dvec2 low;
+    glm::dvec2 high;
+};
+
 /// What all frames of a film have in common: the picture's shape and the block of terrain.
 struct FilmStage {
     Scene scene;  ///< the run's, with the film's size and overlays, seen in perspective
     Block block;  ///< of the run's first bed
     double aspect = 1.0;
     double overrun = 0.0;  ///< of its width, by which a bed that "fits" is wider than the picture
+    std::vector<PictureBox> kept_clear{};  ///< of which a block that "fits" is seen clear
     bool repeats = false;  ///< whether its bed is seen to go on past its edges with its other side
     TileWarp copies{};     ///< of such a bed
 };
