@@ -1,7 +1,7 @@
 // Water over the ground: how it flows, how its surface stands, and what it does to light. Needs
 // common/light.glsl, sky/sky.glsl, bed/bed.glsl, bed/water_body.glsl and bed/soil.glsl before it.
 uniform sampler2D ground_map;   // dampness of the ground, what was laid down on it (0 … 1 for −1 … 1), its palette place
-uniform sampler2D water_map;    // depth (m, below 0 on banks), velocity east and north (m/s)
+uniform sampler2D water_map;    // depth (m, below 0 on banks), velocity east and north (m/s), turbidity (0 clear … 1 muddy)
 uniform sampler2D water_surface_map;  // slopes of the surface eastward and northward, that of the depth
 uniform float clarity;         // depth at which the bed is half hidden, m
 uniform float usual_froude;    // the median of the wet cells
@@ -29,6 +29,7 @@ struct Water {
     float fall;      // how steep that is in truth
     float thin;      // 0 … 1: a film as drawn, that what stands out of the ground breaks
     float front;     // how steeply its depth changes
+    float turbidity; // 0 clear … 1 muddy
     float ringed;    // how steep rings of drops are on it, in parts of those on ring_map
 };
 
@@ -50,6 +51,7 @@ Water water_at(vec2 position, float level) {
     water.fall = length(surface.xy) / steepening;
     water.thin = 1.0 - smoothstep(1.0, 8.0, steepening * water.depth / closed_depth);
     water.front = surface.z;
+    water.turbidity = texel.w;
     water.ringed = surface.w;
     water.film = 0.0;
     return water;
@@ -151,7 +153,7 @@ float foam_lines(vec2 world, Water water, float silt, float width) {
     float lace = 2.0 * texture(streak_map, world / (noise_repeat * 0.16 * metre)).r - 1.0;
     float bubbles = shown_noise(world + 0.47, 0.07 * metre, width).x;
     float line = smoothstep(1.15, 2.3, sum + 0.5 * silt + 0.75 * detail_visibility(0.16 * metre, width) * lace + 0.75 * bubbles);
-    return 0.55 * turbidity * line * smoothstep(0.05, 0.25, water.speed) * smoothstep(thin_share, 12.0, water.depth / closed_depth);
+    return 0.55 * water.turbidity * line * smoothstep(0.05, 0.25, water.speed) * smoothstep(thin_share, 12.0, water.depth / closed_depth);
 }
 
 // White water where it shoots, most where it is rougher than usual or deepens at once: at fronts and jumps, in patches

@@ -83,9 +83,9 @@ WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, ve
         float n_dot_l = max(dot(normal, to_sun), 0.0);
         // Down with the sun, up to the eye, both bent towards the vertical by refraction.
         float up = sqrt(1.0 - (1.0 - n_dot_v * n_dot_v) / 1.77);
-        vec3 left = transmitted(0.5 * water.depth / clarity * (1.0 + 1.0 / up));
+        vec3 left = transmitted(0.5 * water.depth / clarity * (1.0 + 1.0 / up), water.turbidity);
         float silt = under_water > thin_water ? silt_clouds(world, water) : 0.0;
-        vec3 body = water_body_colour() * (1.0 + turbidity * silt * vec3(0.50, 0.42, 0.34)) * (sun_light * point.sun * (0.4 + 0.6 * n_dot_l) + sky_light * point.sky);
+        vec3 body = water_body_colour(water.turbidity) * (1.0 + water.turbidity * silt * vec3(0.50, 0.42, 0.34)) * (sun_light * point.sun * (0.4 + 0.6 * n_dot_l) + sky_light * point.sky);
         vec3 below = light * left + body * (1.0 - left);
 
         float grazing = (1.0 - n_dot_v) * (1.0 - n_dot_v);
@@ -106,7 +106,7 @@ WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, ve
                        sun_light * (point.sun * glint);
 
         float foam = under_water > thin_water ? max(foam_cover(world, water, width), foam_lines(world, water, silt, width)) : 0.0;
-        vec3 foam_light = mix(vec3(0.86, 0.88, 0.88), vec3(0.76, 0.68, 0.56), turbidity) * (sun_light * point.sun * (0.25 + 0.75 * n_dot_l) + sky_light * point.sky);
+        vec3 foam_light = mix(vec3(0.86, 0.88, 0.88), vec3(0.76, 0.68, 0.56), water.turbidity) * (sun_light * point.sun * (0.25 + 0.75 * n_dot_l) + sky_light * point.sky);
         surface = mix(surface, foam_light, foam);
         light = mix(light, surface, water.film);
     }

@@ -16,6 +16,7 @@ uniform float rock;
 uniform float soil;  // 1: cut by a spade
 uniform float plaster;  // 1: plain
 uniform float watery;  // 1: of a bed with water
+uniform float turbidity;  // of all the water: 0 clear … 1 muddy
 uniform float clarity;  // depth of water at which the bed is half hidden, block lengths
 uniform vec2 height_range;  // of all grounds and surfaces
 
@@ -68,7 +69,7 @@ vec3 bed_below(vec2 at, vec3 down, float standing, float slant) {
     float waves = 1.6 / max(standing, 0.002);
     float focus = 1.0 - abs(value_noise(at * waves));
     focus *= focus;
-    return albedo * down * transmitted(1.1 * standing / clarity) * (0.95 + 0.16 * shown(waves * slant) * (focus * focus - 0.4));
+    return albedo * down * transmitted(1.1 * standing / clarity, turbidity) * (0.95 + 0.16 * shown(waves * slant) * (focus * focus - 0.4));
 }
 
 // Water, cut through as behind the pane of a flume: the eye's ray, bent at the pane, goes on to the bed, which is taken to
@@ -82,9 +83,9 @@ vec3 water_cut(vec3 to_eye, float sun, float below_surface, float above_bed) {
     float standing = below_surface + above_bed;
     // A ray that rises is mirrored by the surface.
     float way = (above_bed + (ray.z > 0.0 ? 2.0 * below_surface : 0.0)) / max(abs(ray.z), least_fall);
-    vec3 left = transmitted(way / clarity);
+    vec3 left = transmitted(way / clarity, turbidity);
     vec3 lit = studio * (1.0 - turbidity) * vec3(0.062, 0.074, 0.084);  // from all around, as through a tank of glass
-    vec3 body = (water_body_colour() + lit) * (1.4 * down * transmitted(1.1 * below_surface / clarity) + 0.3 * sun_light * sun);
+    vec3 body = (water_body_colour(turbidity) + lit) * (1.4 * down * transmitted(1.1 * below_surface / clarity, turbidity) + 0.3 * sun_light * sun);
     vec3 light = mix(body, bed_below(cut_point.xy + way * ray.xy, down, standing, 1.0 / max(abs(ray.z), least_fall)), left);
     float facing = max(dot(pane, to_eye), 0.0);
     float grazing = (1.0 - facing) * (1.0 - facing);
@@ -157,7 +158,7 @@ vec3 side_colour(vec3 point, vec2 heights) {
             light = water_cut(to_eye, level_sun, below, cut_point.z - ground);
         } else {
             float up = below / (surface - ground);
-            light = mix(water_body_colour() * 1.6, vec3(0.10, 0.20, 0.22), 0.5 - 0.4 * up) * (sun_light * (0.35 + 0.5 * sun) + sky_light);
+            light = mix(water_body_colour(turbidity) * 1.6, vec3(0.10, 0.20, 0.22), 0.5 - 0.4 * up) * (sun_light * (0.35 + 0.5 * sun) + sky_light);
         }
     }
     vec3 scenic = tone_curve(with_haze(light, cut_point, -to_eye));

@@ -69,7 +69,8 @@ void PictureDrawing::mesh_block() {
     if (lit_.water) water_depth_ = s.drawn_depth(*lit_.water, shown_);
     s.terrain.set_bed(lit_.bed, water_depth_ ? &*water_depth_ : nullptr, camera_);
     const auto rise = static_cast<float>(s.block.height_scale / shown_.scale.height_unit);
-    s.terrain.set_clarity(rise * static_cast<float>(s.shading.clarity()));
+    s.terrain.set_water(rise * static_cast<float>(s.shading.clarity()),
+                        static_cast<float>(s.shading.turbidity()));
     if (s.water_block && s.drawn_by_block_passes(camera_))
         s.water_block->find_kinds(*lit_.water, shown_, !colours_water(s.view.look.colour_by));
 }

@@ -79,6 +79,8 @@ class BedShading {
     void keep_range() { keeps_range_ = true; }
     /// The depth of water at which the bed is half hidden there, metres; 1 without water.
     [[nodiscard]] double clarity() const { return water_ ? water_->clarity() : 1.0; }
+    /// How turbid all of that water is, 0 clear … 1 muddy; 0 without water.
+    [[nodiscard]] double turbidity() const { return water_ ? water_->turbidity() : 0.0; }
     [[nodiscard]] const gl::Texture2D& colours() const { return target_->colour(); }
     [[nodiscard]] const gl::Texture2D& lighting() const { return lighting_; }
     /// Reads them, of 8 bits.

@@ -154,9 +154,17 @@ Field<std::uint8_t> wet_ground_texels(const DisplayWater& water, const Field<flo
     return texels;
 }
 
-/// Three numbers a texel, and one more or, where there is none, a 1.
-Field<float> interleaved(const std::array<const Field<float>*, 3>& fields,
-                         const Field<float>& more = {}) {
+/// How turbid the water is by place; empty where it is so everywhere.
+Field<float> turbidity_texels(const DisplayWater& water, double clearest) {
+    Field<float> turbidity = water.silt;
+    for (float& silt : turbidity.values())
+        silt = std::lerp(static_cast<float>(clearest), 1.0F, std::clamp(silt, 0.0F, 1.0F));
+    return turbidity;
+}
+
+/// Three numbers a texel, and one more or, where there is none, `otherwise`.
+Field<float> interleaved(const std::array<const Field<float>*, 3>& fields, const Field<float>& more,
+                         float otherwise) {
     Field<float> texels(4 * fields[0]->nx(), fields[0]->ny());
     const std::array<const float*, 3> from{fields[0]->data(), fields[1]->data(), fields[2]->data()};
     float* texel = texels.data();
@@ -164,7 +172,7 @@ Field<float> interleaved(const std::array<const Field<float>*, 3>& fields,
         texel[0] = from[0][i];
         texel[1] = from[1][i];
         texel[2] = from[2][i];
-        texel[3] = more.empty() ? 1.0F : more.values()[i];
+        texel[3] = more.empty() ? otherwise : more.values()[i];
     }
     return texels;
 }
@@ -197,10 +205,14 @@ void WaterShading::upload(const Snapshot& snapshot, const Snapshot& first,
                           const DisplayWater& water, const Field<std::uint16_t>& values) {
     const WaterStatistics usual = water_statistics(snapshot);
     clarity_ = water_clarity(view_.look, usual);
+    turbidity_ = mean_turbidity(view_.look, snapshot);
     usual_froude_ = usual.median_froude;
     closed_depth_ = closed_depth(snapshot.scale);
 
-    water_.upload(interleaved({&water.depth, &water.velocity_x, &water.velocity_y}).data());
+    water_.upload(interleaved({&water.depth, &water.velocity_x, &water.velocity_y},
+                              turbidity_texels(water, view_.look.turbidity),
+                              static_cast<float>(view_.look.turbidity))
+                      .data());
     const double rise = block_.height_scale / snapshot.scale.height_unit;
     const auto drawn = static_cast<float>(rise * block_.side);  // slopes, with heights exaggerated
     Field<float> slope_x = water.slope_x;
@@ -212,7 +224,7 @@ void WaterShading::upload(const Snapshot& snapshot, const Snapshot& first,
     const Field<float> fronts = depth_slopes(standing, rise / cell_x_, rise / cell_y_);
     const double whole = std::max(layers_laid * closed_depth_, least_laid);
     const Field<float> worked = worked_bed(snapshot, first, whole, refinement_);
-    surface_.upload(interleaved({&slope_x, &slope_y, &fronts}, water.ringed).data());
+    surface_.upload(interleaved({&slope_x, &slope_y, &fronts}, water.ringed, 1.0F).data());
     ground_.upload(wet_ground_texels(water, worked, values).data());
     rains_ = !water.rings.empty();
     ring_mean_ = rains_ ? static_cast<float>(water.rings.back()[2]) / 255.0F : 0.0F;
@@ -244,7 +256,6 @@ void WaterShading::set_uniforms(const gl::Program& program, const std::array<int
     program.set("ring_ends", glm::vec2(max_ring_slope, max_ring_mean_square_slope));
     program.set("ring_mean", ring_mean_);
     program.set("clarity", static_cast<float>(clarity_));
-    program.set("turbidity", static_cast<float>(view_.look.turbidity));
     program.set("usual_froude", static_cast<float>(usual_froude_));
     program.set("closed_depth", static_cast<float>(closed_depth_));
     program.set("metre", static_cast<float>(1.0 / block_.side));

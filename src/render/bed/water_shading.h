@@ -43,6 +43,9 @@ class WaterShading {
     /// The depth at which the bed is half hidden in what was taken last, metres.
     [[nodiscard]] double clarity() const { return clarity_; }
 
+    /// Of all the water in what was taken last, as mean_turbidity() has it.
+    [[nodiscard]] double turbidity() const { return turbidity_; }
+
   private:
     View view_;
     Block block_;
@@ -59,6 +62,7 @@ class WaterShading {
     bool rains_ = false;
     float ring_mean_ = 0.0F;  ///< their mean square slope, in parts of max_ring_mean_square_slope
     double clarity_ = 1.0;
+    double turbidity_ = 0.0;
     double usual_froude_ = 0.0;
     double closed_depth_ = 1.0;  ///< m
 };

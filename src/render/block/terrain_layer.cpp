@@ -383,7 +383,7 @@ void TerrainLayer::set_grain(const gl::Program& program, int unit) const {
 void TerrainLayer::set_sides(const gl::Program& program, const Light& light,
                              const Camera& camera) const {
     set_light(program, view_, light, camera, block_);
-    program.set("turbidity", static_cast<float>(view_.look.turbidity));
+    program.set("turbidity", turbidity_);
     set_sand(program, view_.look);
     program.set("pixels", static_cast<float>(pixels_per_length(camera, view_)));
     program.set("clarity", clarity_);

@@ -29,8 +29,12 @@ class TerrainLayer {
     /// added to the bed if given.
     void set_bed(const DisplayBed& bed, const Field<float>* water_depth, const Camera& camera);
 
-    /// The depth of water at which the bed is half hidden, in block lengths.
-    void set_clarity(float clarity) { clarity_ = clarity; }
+    /// The depth of water at which the bed is half hidden, in block lengths, and how turbid the
+    /// water of cuts is, 0 clear … 1 muddy.
+    void set_water(float clarity, float turbidity) {
+        clarity_ = clarity;
+        turbidity_ = turbidity;
+    }
 
     /// Of the surface, water included: the lowest, and how much higher the highest.
     [[nodiscard]] const glm::vec2& height_span() const { return height_span_; }
@@ -141,6 +145,7 @@ class TerrainLayer {
     std::vector<float> side_heights_;
     GLsizei indices_ = 0;
     float clarity_ = 1.0F;
+    float turbidity_ = 0.0F;
     bool watery_ = false;
     /// Faces with one stencil, as they are drawn and as they are coloured: by themselves, or where
     /// all are in one plane by one rectangle around them.

@@ -11,6 +11,7 @@
 #include "base/compensated_sum.h"
 #include "base/elementary.h"
 #include "base/error.h"
+#include "base/find_named.h"
 #include "base/snapshot_lookup.h"
 #include "numerics/percentile.h"
 #include "numerics/resampling.h"
@@ -343,17 +344,47 @@ double water_clarity(const LookSettings& look, const WaterStatistics& water) {
     return water.high_depth * (pond_clarity + film_clarity * squared * squared);
 }
 
+Field<float> suspended_turbidities(const Snapshot& snapshot) {
+    constexpr double half_muddy = 0.0615;  // kg/m³
+    const SnapshotField* sediment = find_named(snapshot.fields, "concentration");
+    if (sediment == nullptr || sediment->unit != "kg/m3" || !has_water(snapshot)) return {};
+    const Mask dry = dry_cells(snapshot);
+    Field<float> silt(dry.nx(), dry.ny());
+    for (std::size_t i = 0; i < silt.size(); ++i) {
+        const double carried = sediment->values.values()[i];
+        if (dry.values()[i] == 0 && carried > 0.0)
+            silt.values()[i] = static_cast<float>(carried / (carried + half_muddy));
+    }
+    return silt;
+}
+
+double mean_turbidity(const LookSettings& look, const Snapshot& snapshot) {
+    const Field<float> silt = suspended_turbidities(snapshot);
+    if (silt.empty()) return look.turbidity;
+    const Field<float> depth = water_depths(snapshot);
+    double water = 0.0;
+    double muddy = 0.0;
+    for (std::size_t i = 0; i < silt.size(); ++i) {
+        water += depth.values()[i];
+        muddy += double{depth.values()[i]} * silt.values()[i];
+    }
+    return std::lerp(look.turbidity, 1.0, water > 0.0 ? muddy / water : 0.0);
+}
+
 DisplayWater display_water(const Snapshot& snapshot, int refinement, WorkerPool& pool) {
     const Mask dry = dry_cells(snapshot);
     const Mask open = open_cells(snapshot, dry);
+    const auto beyond_shores = [&](Field<float> coarse) {
+        extrapolate_outward(coarse, dry, 0.0F);
+        return refined(coarse, refinement);
+    };
     const auto shown = [&](std::string_view name) {
         const Grid& values = values_of(snapshot, name);
         Field<float> coarse(values.nx(), values.ny());
         for (std::size_t i = 0; i < coarse.size(); ++i)
             coarse.values()[i] =
                 dry.values()[i] != 0 ? 0.0F : static_cast<float>(values.values()[i]);
-        extrapolate_outward(coarse, dry, 0.0F);
-        return refined(coarse, refinement);
+        return beyond_shores(std::move(coarse));
     };
     Field<float> slope_x = surface_slopes(snapshot, open, 1, 0, snapshot.scale.dx);
     Field<float> slope_y = surface_slopes(snapshot, open, 0, 1, snapshot.scale.dy);
@@ -377,6 +408,8 @@ DisplayWater display_water(const Snapshot& snapshot, int refinement, WorkerPool&
         water.damp = refined(dampness(depth, dry, closed_depth(snapshot.scale)), refinement);
         for (float& damp : water.damp.values()) damp = std::clamp(damp, 0.0F, 1.0F);
         wet_by_rain(snapshot, refinement, water.damp);
+        if (Field<float> silt = suspended_turbidities(snapshot); !silt.empty())
+            water.silt = beyond_shores(std::move(silt));
     };
     pool.for_ranges(2, [&](int begin, int end) {  // about as long each
         if (begin == 0) show_depths_and_rings();

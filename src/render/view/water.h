@@ -72,7 +72,21 @@ struct DisplayWater {
     /// How steep they are on each cell, of the tile's: the root of its share of that rain. Empty
     /// where it is even.
     Field<float> ringed;
+    /// What suspended sediment adds to the water's turbidity, as suspended_turbidities() has it.
+    /// Empty where nothing is known of sediment.
+    Field<float> silt;
 };
+
+/// How far suspended sediment takes each cell's water from look.turbidity (0) to muddy (1), by the
+/// field "concentration" in kg/m³: S/(S + 0.0615 kg/m³), the brightness that water with so much
+/// sediment S has in red light over the most that it can have (Nechad, Ruddick & Park 2010,
+/// equation 12 without offset, A = 355.85 g/m³ and C = 0.1728 at 665 nm). 0 where a cell is dry or
+/// has no value; empty without such a field in kg/m³.
+Field<float> suspended_turbidities(const Snapshot& snapshot);
+
+/// The turbidity of all the water of a snapshot, 0 clear … 1 muddy: look.turbidity, and with
+/// suspended sediment the mean by volume.
+double mean_turbidity(const LookSettings& look, const Snapshot& snapshot);
 
 DisplayWater display_water(const Snapshot& snapshot, int refinement, WorkerPool& pool);
 

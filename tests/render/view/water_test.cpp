@@ -226,6 +226,26 @@ TEST(Water, DeeperWaterIsDarkerAndBluerWhereItIsTinted) {
     EXPECT_LT(muddy[2] / muddy[0], 0.6 * deep[2] / deep[0]);
 }
 
+TEST(Water, SedimentMuddiesItByPlace) {
+    Snapshot lake = under_water(flat_bed(100, 100), 3.0, 0.0);
+    View view = map_view();
+    view.look.turbidity = 0.0;
+    view.look.water_clarity = {"", 1.0};
+    const auto red_over_blue = [](const auto& colour) { return colour[0] / colour[2]; };
+    const double clear = red_over_blue(mean_between(picture(view, lake), 0.1, 0.4));
+    SnapshotField sediment{"concentration", "sediment in the water", "kg/m3", Grid(100, 100)};
+    for (int y = 0; y < 100; ++y) {
+        for (int x = 0; x < 50; ++x) sediment.values(x, y) = x == 20 ? std::nan("") : 2.0;
+    }
+    lake.fields.push_back(sediment);
+    EXPECT_NEAR(mean_turbidity(view.look, lake), 0.49 * 2.0 / 2.0615, 1e-6);
+    const Image image = picture(view, lake);
+    EXPECT_GT(red_over_blue(mean_between(image, 0.1, 0.4)), 1.3 * clear);
+    EXPECT_NEAR(red_over_blue(mean_between(image, 0.6, 0.9)), clear, 0.01);
+    lake.fields.back().unit = "1";
+    EXPECT_EQ(mean_turbidity(view.look, lake), 0.0);
+}
+
 // Muddy water hides its ground, also how that lies to the sun.
 TEST(Water, IsLitAsItsSurfaceLiesAndNotAsItsGround) {
     View view = map_view();
