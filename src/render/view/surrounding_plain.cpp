@@ -39,9 +39,9 @@ constexpr double most_rough = 1.6;        // logarithm: an edge against the plai
 constexpr std::uint64_t seed = 15;
 
 /// What pictures of endless ground read besides its heights.
-constexpr std::array<std::string_view, 8> drawn_fields{
-    "water_depth", "velocity_x",     "velocity_y", "sand",
-    "cover",       "last_avalanche", "grass",      "shrubs"};
+constexpr std::array<std::string_view, 9> drawn_fields{"water_depth",    "velocity_x", "velocity_y",
+                                                       "concentration",  "sand",       "cover",
+                                                       "last_avalanche", "grass",      "shrubs"};
 
 Snapshot without_fields(const Snapshot& snapshot) {
     Snapshot bare;
@@ -290,6 +290,8 @@ SurroundingPlain::Surroundings SurroundingPlain::surroundings(const Mask& nodata
 Grid SurroundingPlain::continued(const Grid& field, const Surroundings& all) const {
     const auto& [outside, between, depth] = all;
     Grid tile = in_tile(field);
+    for (double& value : tile.values())
+        if (!std::isfinite(value)) value = 0.0;  // a gap in a concentration
     double sum = 0.0;
     double low = 1e300;
     double high = -1e300;
