@@ -374,9 +374,10 @@ class Planner {
 
     /// The first snapshot of a run, checked to have what its scene shows.
     [[nodiscard]] Snapshot first_of(PreparedScene prepared, const StoredRun& run) const {
-        if (store_ == nullptr || !store_->holds(run))
+        if (!run.results && (store_ == nullptr || !store_->holds(run)))
             return prepare_run(std::move(prepared), 1).model->snapshot();
-        Snapshot first = store_->snapshot(run, 0);
+        Snapshot first =
+            run.results ? snapshot_of_results(*run.results, 0) : store_->snapshot(run, 0);
         check_shown(prepared.scene, first);
         return first;
     }
