@@ -14,9 +14,13 @@
 #include "cli/shared_options.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
+#include "film/beds/stored_beds.h"
 #include "gallery/gallery_page.h"
 #include "outputs/output_claims.h"
+#include "run/still.h"
+#include "run/terminal/progress.h"
 #include "run/terminal/work_options.h"
+#include "scene/overlay_keys.h"
 #include "web/page_run.h"
 #include "web/run_page.h"
 
@@ -36,8 +40,10 @@ struct GalleryOptions {
 };
 
 void declare(CLI::App& command, GalleryOptions& options) {
-    command.add_option("FROM", options.from,
-                       "folders of runs, pictures and films that fumon made, or such files");
+    command.add_option(
+        "FROM", options.from,
+        "folders of runs, pictures and films that fumon made and of NetCDF results, or "
+        "such files");
     command.add_option("-o,--output", options.folder, "the folder for the gallery")
         ->type_name("DIR")
         ->capture_default_str();
@@ -101,12 +107,30 @@ std::optional<MadePage> made_page(const GalleryItem& item, const fs::path& to, b
     return page;
 }
 
+/// A picture of the last record of results.
+void draw_results(const fs::path& results, const fs::path& picture) {
+    WorkOptions work;
+    work.verbosity = Verbosity::quiet;
+    work.settings = {"image.width=1280", "image.height=720"};
+    const StoredBeds beds = StoredBeds::of_files(results.string(), 0, work.settings);
+    const std::size_t last = beds.beds().size() - 1;
+    const SharedSnapshot snapshot = beds.snapshot(last);
+    Scene scene = beds.scene();
+    const std::vector<MeasuredRows> rows = beds.measurements(plotted_columns(scene));
+    stand_on_drawn_ground(scene.view, beds.first(), *snapshot);
+    Progress progress(work.verbosity, static_cast<std::int64_t>(snapshot->bed.size()));
+    draw_still({scene, beds.inputs(), rows[last]}, beds.first(), *snapshot, picture.string(), work,
+               progress);
+}
+
 int perform(const GalleryOptions& options) {
     std::vector<fs::path> from{options.from.begin(), options.from.end()};
     if (options.shipped) from.push_back(shipped_pictures());
     if (from.empty())
         throw InputError("fumon gallery: FROM is missing; try `fumon gallery --help`");
-    std::vector<GalleryItem> items = gallery_items(from);
+    std::vector<std::string> faults;
+    std::vector<GalleryItem> items = gallery_items(from, faults);
+    for (const std::string& fault : faults) remark(fault + "\n");
     const fs::path folder = options.folder;
     check_output_folder(folder, "the gallery");
 
@@ -125,7 +149,10 @@ int perform(const GalleryOptions& options) {
     }
     const bool own = is_own_gallery(folder);
     OutputClaims claims(options.force);
-    for (const Written& written : all) claims.reads(written.file->source);
+    for (const Written& written : all) {
+        claims.reads(written.file->source);
+        claims.reads(written.file->results);
+    }
     for (const Written& written : all) claims.check(written.to, own);
     claims.check(folder / "index.html", own);
     std::vector<MadePage> pages;
@@ -144,7 +171,9 @@ int perform(const GalleryOptions& options) {
     if (fault)
         throw Error(fmt::format("cannot make the folder {}: {}", folder.string(), fault.message()));
     for (const auto& [to, file] : all) {
-        if (file->source.empty()) {
+        if (!file->results.empty()) {
+            draw_results(file->results, to);
+        } else if (file->source.empty()) {
             write_file(to, file->text);
         } else {
             copy_whole(file->source, to);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
@@ -12,6 +14,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include "base/error.h"
@@ -57,7 +60,23 @@ struct RecordPlace {
 struct RunRecords {
     std::vector<fs::path> files;
     std::vector<RecordPlace> places;
+    std::vector<std::uintmax_t> sizes{};  ///< of the files when they were opened, bytes
 };
+
+std::uintmax_t size_of(const fs::path& file) {
+    std::error_code fault;
+    return fs::file_size(file, fault);
+}
+
+/// Refuses a file that its model still writes.
+void check_unchanged(const RunRecords& records, std::size_t file) {
+    const std::uintmax_t now = size_of(records.files[file]);
+    if (now == records.sizes[file]) return;
+    throw InputError(fmt::format(
+        "{}: had {} bytes when it was opened and has {} now; let its run end, or copy the file and "
+        "take the copy",
+        records.files[file].string(), records.sizes[file], now));
+}
 
 void refuse_other_layouts(const NetcdfInput& input) {
     if (input.variables() > 0) return;
@@ -151,6 +170,7 @@ std::function<Grid(std::size_t)> reader_of(const std::shared_ptr<const RunRecord
     const auto read = [records, place, conversion, map, is_bed, ahead](std::size_t number) {
         const RecordPlace at = map.over_time ? records->places.at(number) : RecordPlace{};
         const fs::path& file = records->files[at.file];
+        check_unchanged(*records, at.file);
         return reading(file, [&] {
             const NetcdfInput input(file);
             Grid values = read_record(input, map, is_bed, place, at.record, *ahead);
@@ -301,6 +321,7 @@ ForeignRun read_netcdf_run(const std::string& name, std::vector<fs::path> files,
     const NamedFields named = named_fields(query);
     const auto records = std::make_shared<RunRecords>();
     records->files = files;
+    for (const fs::path& file : files) records->sizes.push_back(size_of(file));
     const RawTimes times = all_times(files, query.time_unit, *records);
     if (times.values.empty())
         throw InputError(fmt::format("{}: has no record yet; let the run write one first", name));

@@ -14,6 +14,7 @@
 #include "figure/canvas/figure_metadata.h"
 #include "files/input_file.h"
 #include "files/json_text.h"
+#include "foreign/open_run.h"
 #include "gallery/description.h"
 #include "gallery/gallery_plots.h"
 #include "keys/key_value.h"
@@ -32,6 +33,8 @@ namespace fs = std::filesystem;
 using Texts = std::map<std::string, std::string>;
 
 constexpr std::array<std::string_view, 4> with_sidecars{".webp", ".gif", ".apng", ".webm"};
+
+constexpr std::array<std::string_view, 4> results_endings{".nc", ".nc4", ".cdf", ".sww"};
 
 fs::path sidecar(const fs::path& file) {
     return file.string() + ".json";
@@ -134,11 +137,13 @@ class Gathering {
             throw InputError(fmt::format("{}: there is no such file or folder", path.string()));
         }
         if (items_.size() == before) {
+            if (!faults_.empty()) throw InputError(faults_.back());
             throw InputError(
                 fmt::format("{}: holds no run, picture or film that fumon made", path.string()));
         }
     }
     std::vector<GalleryItem> take() { return std::move(items_); }
+    std::vector<std::string> take_faults() { return std::move(faults_); }
 
   private:
     static constexpr int deepest = 4;
@@ -180,7 +185,11 @@ class Gathering {
 
     void add_file(const fs::path& file) {
         const Texts texts = texts_of(file);
-        if (texts.empty()) return;
+        if (texts.empty()) {
+            if (std::ranges::find(results_endings, small_ending(file)) != results_endings.end())
+                add_results(file);
+            return;
+        }
         const auto text = [&](const char* keyword) {
             const auto found = texts.find(keyword);
             return found == texts.end() ? std::string() : found->second;
@@ -241,6 +250,35 @@ class Gathering {
         if (is_file(file)) item.files.push_back({item.name + ending, file});
     }
 
+    /// Of a NetCDF file.
+    void add_results(const fs::path& file) {
+        GalleryItem item;
+        try {
+            const ForeignRun results = open_foreign_run(file.string());
+            item.title = results.title;
+            const std::string recognised = foreign_description(results);
+            for (std::size_t begin = 0; begin < recognised.size();) {
+                const std::size_t end = std::min(recognised.find('\n', begin), recognised.size());
+                item.caption.push_back(recognised.substr(begin, end - begin));
+                begin = end + 1;
+            }
+            item.again = {fmt::format("fumon still {} --step {} -o {}.png",
+                                      file.filename().string(), results.times.steps.back(),
+                                      file.stem().string())};
+        } catch (const InputError& fault) {
+            faults_.emplace_back(fault.what());
+            return;
+        }
+        item.name = free_name(file.stem().string());
+        item.kind = "run";
+        item.description = "The last record of " + item.title;
+        item.run = file;
+        GalleryFile picture{item.name + ".png", {}};
+        picture.results = file;
+        item.files.push_back(std::move(picture));
+        items_.push_back(std::move(item));
+    }
+
     void add_run(const fs::path& folder) {
         GalleryItem item;
         item.name = free_name(folder.filename().empty() ? folder.parent_path().filename().string()
@@ -287,15 +325,18 @@ class Gathering {
     }
 
     std::vector<GalleryItem> items_;
+    std::vector<std::string> faults_;
     std::set<std::string> names_{"cards", "paging", "before", "close", "after"};  // are the page's
     std::map<std::pair<fs::path, std::string>, std::size_t> of_stems_;            ///< and of kinds
 };
 
 }  // namespace
 
-std::vector<GalleryItem> gallery_items(const std::vector<fs::path>& from) {
+std::vector<GalleryItem> gallery_items(const std::vector<fs::path>& from,
+                                       std::vector<std::string>& faults) {
     Gathering gathering;
     for (const fs::path& path : from) gathering.add_path(path);
+    faults = gathering.take_faults();
     return gathering.take();
 }
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <set>
+#include <utility>
 
 #include "base/error.h"
 #include "base/find_named.h"
@@ -14,12 +16,14 @@
 #include "figure/words/chosen_words.h"
 #include "files/hash.h"
 #include "files/input_file.h"
+#include "foreign/foreign_run.h"
 #include "keys/keys.h"
 #include "paper/curve_rows.h"
 #include "paper/figure_tables.h"
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
 #include "paper/panel_title.h"
+#include "paper/store/results.h"
 #include "picture/stills/cmyk.h"
 #include "run/prepared_run.h"
 #include "scene/input_maps.h"
@@ -97,7 +101,14 @@ class Planner {
     /// The text of another scene, or this one's.
     [[nodiscard]] SceneText scene_text(const std::string& other, const std::string& key) {
         if (other.empty()) return text_;
-        return at(key, [&] { return sources_.scene(plan_.scene.directory / other); });
+        const fs::path file = plan_.scene.directory / other;
+        if (names_results(file)) {
+            SceneText text = text_;
+            text.text = scene_of_results(other);
+            text.source = file.lexically_normal().string();
+            return text;
+        }
+        return at(key, [&] { return sources_.scene(file); });
     }
 
     /// The changes to a panel's or curve's scene; --set changes the figure's own alone.
@@ -137,6 +148,12 @@ class Planner {
     }
 
     std::optional<CurvePlan> read_curve(const CurveSettings& settings, const std::string& path) {
+        if (!settings.scene.empty() && names_results(plan_.scene.directory / settings.scene)) {
+            refuse(path + ".scene",
+                   fmt::format("a curve needs a scene; `fumon measure {}` writes a table of these "
+                               "results, which table = \"file\" takes",
+                               settings.scene));
+        }
         CurvePlan curve{settings, path, {}, {}, plan_.scene, 0, {}};
         if (settings.table == CurveTable::expression) return curve;
         if (settings.table == CurveTable::file) {
@@ -318,10 +335,15 @@ class Planner {
         Scene scene = parse_scene(scene_text(asked.scene, path + "scene"),
                                   changes(asked.scene, asked.set, path + "set"));
         sources_.find_inputs(scene);
-        PreparedScene prepared = prepare_scene(std::move(scene));
+        std::shared_ptr<const ForeignRun> results;
+        if (!asked.scene.empty() && names_results(plan_.scene.directory / asked.scene))
+            results = at(path + "scene", [&] { return open_results(scene, settings.field); });
+        PreparedScene prepared =
+            results ? prepare_results(std::move(scene), *results) : prepare_scene(std::move(scene));
         note(prepared.initial);
         PicturePlan picture{prepared.scene, 0, asked.steps};
-        StoredRun run = stored_run(prepared.scene, prepared.initial);
+        StoredRun run = results ? stored_results(prepared, results)
+                                : stored_run(prepared.scene, prepared.initial);
         run.label = fmt::format("{}: seed {}", picture.scene.source, picture.scene.seed);
         run.steps.insert(0);  // what holds still over a run is taken from its start
         first = first_of(std::move(prepared), run);
@@ -330,7 +352,9 @@ class Planner {
             const std::int64_t every =
                 settings.every > 0 ? settings.every : std::max<std::int64_t>(1, last / 200);
             picture.steps.clear();
-            for (std::int64_t step = 0; step <= last; step += every) picture.steps.push_back(step);
+            if (results) picture.steps = steps_of_results(*results, settings.every);
+            for (std::int64_t step = 0; step <= last && !results; step += every)
+                picture.steps.push_back(step);
         }
         if (picture.steps.empty()) picture.steps = {last};
         for (const std::int64_t step : picture.steps) {
@@ -338,6 +362,9 @@ class Planner {
                 refuse(path + (asked.prefix.empty() ? "steps" : "step"),
                        fmt::format("step {} is after the run's end at {}", step, last));
             }
+            if (results)
+                at(path + (asked.prefix.empty() ? "steps" : "step"),
+                   [&] { return snapshot_of_results(*results, step); });
         }
         check_picture(panel, picture.scene, first);
         run.steps.insert(picture.steps.begin(), picture.steps.end());
@@ -347,9 +374,10 @@ class Planner {
 
     /// The first snapshot of a run, checked to have what its scene shows.
     [[nodiscard]] Snapshot first_of(PreparedScene prepared, const StoredRun& run) const {
-        if (store_ == nullptr || !store_->holds(run))
+        if (!run.results && (store_ == nullptr || !store_->holds(run)))
             return prepare_run(std::move(prepared), 1).model->snapshot();
-        Snapshot first = store_->snapshot(run, 0);
+        Snapshot first =
+            run.results ? snapshot_of_results(*run.results, 0) : store_->snapshot(run, 0);
         check_shown(prepared.scene, first);
         return first;
     }

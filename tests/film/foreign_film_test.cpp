@@ -148,6 +148,83 @@ TEST_F(ForeignFilm, AColouredFilmIsMadeAgainFromItsFile) {
     EXPECT_EQ(two.status, 0) << two.errors;
 }
 
+TEST_F(ForeignFilm, UnevenSurveysAreHeldWithTheirDates) {
+    for (const char* day : {"2001-05-01", "2003-01-01", "2010-07-01"}) {
+        write_text(folder_ / (std::string("a-") + day + ".asc"),
+                   "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 5\n0 1 2\n1 2 3\n");
+        write_text(folder_ / (std::string("b-") + day + ".asc"),
+                   "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 5\n0 1 2\n1 2 4\n");
+    }
+    fs::rename(folder_ / "b-2003-01-01.asc", folder_ / "b-2009-01-01.asc");
+    write_text(folder_ / "surveys.toml",
+               "[film]\nwidth = 160\nheight = 120\nrate = 10\nsupersampling = 1\n"
+               "[[shot]]\nseconds = 1\nfrom = \"start\"\nto = \"end\"\nclock = \"time\"\n"
+               "[[overlay]]\nkind = \"time\"\n");
+    const Ended one = run({"film", "a-*.asc", "surveys.toml", "--time-pattern", "%Y-%m-%d", "-o",
+                           "one_%02d.png", "--no-cache"});
+    ASSERT_EQ(one.status, 0) << one.errors;
+    const auto frame = [&](const std::string& name) { return read_png(folder_ / (name + ".png")); };
+    EXPECT_NE(frame("one_00"), frame("one_01"));  // the beds are alike, the dates are not
+    EXPECT_EQ(frame("one_01"), frame("one_05"));
+    EXPECT_NE(frame("one_05"), frame("one_06"));
+    EXPECT_EQ(frame("one_06"), frame("one_09"));
+    const Ended two = run({"film", "a-*.asc", "b-*.asc", "surveys.toml", "--time-pattern",
+                           "%Y-%m-%d", "-o", "two_%02d.png", "--no-cache"});
+    ASSERT_EQ(two.status, 0) << two.errors;
+    EXPECT_NE(frame("two_05"), frame("two_06"));
+}
+
+TEST_F(ForeignFilm, APanelOfAFigureTakesAFileInPlaceOfAScene) {
+    const auto figure = [&](const std::string& panels) {
+        write_text(
+            folder_ / "page.toml",
+            "title = \"A flood\"\n[figure]\nwidth = \"single\"\nformats = [\"svg\"]\n" + panels);
+        return run({"figure", "page.toml", "-o", "out", "--force"});
+    };
+    const std::string map = "[[figure.panel]]\nkind = \"map\"\nscene = \"flood.nc\"\n";
+    const Ended made =
+        figure(map + "steps = [1]\nfield = \"water_depth\"\n" + map + "field = \"hmax\"\n");
+    ASSERT_EQ(made.status, 0) << made.errors;
+    const std::string depths = read_text(folder_ / "out/page-a.asc");
+    EXPECT_NE(depths.find("\n-9999 -9999 -9999 3\n"), std::string::npos) << depths;
+    EXPECT_NE(read_text(folder_ / "out/page-b.asc").find("\n20 21 22 23\n"), std::string::npos);
+    EXPECT_FALSE(fs::exists(folder_ / "out/runs"));
+    const Ended again = run({"again", "out/page.svg", "-o", "again.svg"});
+    EXPECT_EQ(again.errors, "again.svg: the same bytes as out/page.svg\n");
+    const auto refused = [&](const std::string& panels) {
+        const Ended ended = figure(panels);
+        EXPECT_EQ(ended.status, 2);
+        return ended.errors;
+    };
+    EXPECT_EQ(refused(map + "steps = [9]\n"),
+              "page.toml:8:9: step 9 is after the run's end at 2\n");
+    EXPECT_EQ(refused(map + "field = \"hmaxx\"\n"),
+              "page.toml:7:9: flood.nc: has no map \"hmaxx\" to colour by; did you mean "
+              "\"hmax\"?\n");
+    EXPECT_EQ(refused("[[figure.panel]]\nkind = \"map\"\nscene = \"none.nc\"\n"),
+              "page.toml:7:9: none.nc: there is no such file of results\n");
+    EXPECT_EQ(refused("[[figure.panel]]\n[[figure.panel.curve]]\nscene = \"flood.nc\"\ny = "
+                      "\"mean_height\"\n"),
+              "page.toml:7:9: a curve needs a scene; `fumon measure "
+              "flood.nc` writes a table of these results, which table = \"file\" takes\n");
+}
+
+TEST_F(ForeignFilm, AGalleryShowsTheFilesOfAFolder) {
+    fs::create_directory(folder_ / "results");
+    fs::rename(folder_ / "flood.nc", folder_ / "results/flood.nc");
+    write_text(folder_ / "results/bad.nc", "mine");
+    const Ended made = run({"gallery", "results", "-o", "site"});
+    ASSERT_EQ(made.status, 0) << made.errors;
+    EXPECT_TRUE(made.errors.starts_with("results/bad.nc: cannot be read as NetCDF")) << made.errors;
+    EXPECT_EQ(read_png(folder_ / "site/files/flood.png").width, 1280);
+    const std::string page = read_text(folder_ / "site/index.html");
+    for (const char* told : {"of SFINCS", "fumon still flood.nc --step 2 -o flood.png"})
+        EXPECT_NE(page.find(told), std::string::npos) << told;
+    const Ended bad = run({"gallery", "results/bad.nc", "-o", "other"});
+    EXPECT_EQ(bad.status, 2);
+    EXPECT_FALSE(fs::exists(folder_ / "other"));
+}
+
 TEST_F(ForeignFilm, WhatIsNotReadIsOneLineAndWritesNothing) {
     write_aeolis(folder_ / "bad.nc", {0, 3600, 60});
     for (const char* file : {"bad.nc", "film.toml", "none_*.nc", "https://a.org/a.nc"}) {

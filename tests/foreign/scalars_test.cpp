@@ -85,6 +85,18 @@ TEST_F(ForeignScalars, ABedThatIsMissingInTheMiddleIsOneLine) {
               path.string() + ": record 2 has no bed in any cell; is it cut short?");
 }
 
+TEST_F(ForeignScalars, AFileThatGrowsWhileItIsReadIsOneLine) {
+    write_stress(path);
+    const ForeignRun run = open();
+    EXPECT_NO_THROW((void)foreign_snapshot(run, 1));
+    const auto size = std::filesystem::file_size(path);
+    std::filesystem::resize_file(path, size + 8);
+    EXPECT_EQ(message_of<InputError>([&] { (void)foreign_snapshot(run, 2); }),
+              path.string() + ": had " + std::to_string(size) +
+                  " bytes when it was opened and has " + std::to_string(size + 8) +
+                  " now; let its run end, or copy the file and take the copy");
+}
+
 /// `depth` over six records of 3 × 4 cells, four of them in a chunk.
 void write_chunks(const std::filesystem::path& file, int type) {
     const NetcdfMaker maker(file);

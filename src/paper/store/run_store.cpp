@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "base/error.h"
 #include "base/stopwatch.h"
@@ -18,6 +19,7 @@
 #include "files/snapshot_outline.h"
 #include "models/registry.h"
 #include "models/shared/state_hash.h"
+#include "paper/store/results.h"
 #include "run/picture_text.h"
 #include "run/prepared_run.h"
 #include "run/recorder.h"
@@ -108,6 +110,15 @@ StoredRun stored_run(const Scene& scene, const InitialBed& initial) {
     return run;
 }
 
+StoredRun stored_results(const PreparedScene& prepared, std::shared_ptr<const ForeignRun> results) {
+    StoredRun run = stored_run(prepared.scene, prepared.initial);
+    std::string read = hex(run.id);
+    for (const ForeignScalar& scalar : results->scalars) read += " " + scalar.name;
+    run.id = text_hash(read);
+    run.results = std::move(results);
+    return run;
+}
+
 fs::path RunStore::place(const StoredRun& run) const {
     constexpr std::size_t digits = 16;
     return folder_ / hex(run.id).substr(0, digits);
@@ -149,17 +160,20 @@ std::optional<RunStore::Content> RunStore::content(const StoredRun& run) const {
 }
 
 bool RunStore::holds(const StoredRun& run) const {
+    if (run.results) return true;
     const std::optional<Content> there = content(run);
     return there && std::ranges::includes(there->steps, run.steps);
 }
 
 std::optional<Snapshot> RunStore::outline(const StoredRun& run) const {
+    if (run.results) return foreign_snapshot(*run.results, 0);
     std::optional<Content> there = content(run);
     if (!there) return std::nullopt;
     return std::move(there->outline);
 }
 
 Snapshot RunStore::snapshot(const StoredRun& run, std::int64_t step) const {
+    if (run.results) return snapshot_of_results(*run.results, step);
     std::optional<Snapshot> known = outline(run);
     if (!known) throw InputError(fmt::format("{}: is damaged; delete it", place(run).string()));
     return read_fields_snapshot(fields(run), step, std::move(*known));

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,7 +11,9 @@
 
 #include "base/snapshot.h"
 #include "files/hash.h"
+#include "foreign/foreign_run.h"
 #include "run/parallel_runs.h"
+#include "run/prepared_run.h"
 #include "scene/initial_bed.h"
 #include "scene/scene.h"
 
@@ -23,11 +26,15 @@ struct StoredRun {
     Sha256 id{};                   ///< of what decides its results, and of fumon's version
     std::string label;             ///< for messages
     double work = 0.0;             ///< cell-steps
+    std::shared_ptr<const ForeignRun> results{};  ///< of a file, which no run makes
 };
 
 /// The run of a scene, without what does not decide its results (title, looks, figure, files). Of
 /// its bed only the files and the scale are used.
 StoredRun stored_run(const Scene& scene, const InitialBed& initial);
+
+/// Results that a file holds as a run that is there already.
+StoredRun stored_results(const PreparedScene& prepared, std::shared_ptr<const ForeignRun> results);
 
 /// A folder of finished runs, by what decides their results:
 ///
