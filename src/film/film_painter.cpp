@@ -194,8 +194,7 @@ void FilmPainter::fix_colours(const std::set<Moment>& shown) {
             if (watery) clarity = std::max(clarity, water_clarity(look, water_statistics(*bed)));
             if (!ranged || (differs() && run > 0)) continue;
             const auto other = differs() ? panes_[1].beds->snapshot(bed_of(1, moment)) : nullptr;
-            const Field<float> values =
-                coloured_values(look, *bed, other ? *other : beds.first());
+            const Field<float> values = coloured_values(look, *bed, other ? *other : beds.first());
             const auto [from, to] = ends_of_record(look, *bed, values);
             low = std::min(low, from);
             high = std::max(high, to);

@@ -297,9 +297,10 @@ FilmText film_text(const std::filesystem::path& file) {
                 fmt::format("fumon film RUN {}", file.filename().string())};
     }
     if (ending == ".toml") {  // whose files would be trusted
-        throw InputError(fmt::format("{}: is a movie or picture; name it by its own ending, such as "
-                                     ".mp4",
-                                     file.string()));
+        throw InputError(
+            fmt::format("{}: is a movie or picture; name it by its own ending, such as "
+                        ".mp4",
+                        file.string()));
     }
     const auto text = texts.find(film_keyword);
     if (text == texts.end()) {
