@@ -39,8 +39,7 @@ void count_from_lowest(std::vector<double>& places, const std::vector<std::int32
     }
     std::vector<double> counted(places.size(), 0.0);
     for (const std::int32_t node : corners)
-        counted[static_cast<std::size_t>(node)] =
-            places[static_cast<std::size_t>(node)] - lowest;
+        counted[static_cast<std::size_t>(node)] = places[static_cast<std::size_t>(node)] - lowest;
     places = std::move(counted);
 }
 

@@ -70,7 +70,9 @@ std::tuple<std::vector<Recognised>, std::string, double> recognise(
 using PlaceTuple = std::tuple<double, double, double, double, bool, std::string>;
 
 /// By what a reader of a field goes, beside those of quantities: "field tau".
-std::string scalar_key(const std::string& name) { return "field " + name; }
+std::string scalar_key(const std::string& name) {
+    return "field " + name;
+}
 
 RecordSource record_source(
     const std::string& name, const std::string& model, double dry, std::pair<int, int> shape,
@@ -96,8 +98,7 @@ RecordSource record_source(
     raw.origin = origin;
     run.times = run_times(raw, name);
     for (const auto& [key, words] : scalars)
-        run.scalars.push_back(
-            {key, words.first, words.second, changes.at(scalar_key(key)), {}});
+        run.scalars.push_back({key, words.first, words.second, changes.at(scalar_key(key)), {}});
     for (const auto& [key, reader] : readers) {
         if (key.starts_with(scalar_key(""))) continue;
         run.fields.push_back(

@@ -128,8 +128,8 @@ void find_layer_file(LayerSettings& layer, const Override& setting) {
     layer.file = std::filesystem::absolute(film.parent_path() / layer.file).string();
 }
 
-/// A film is seen in perspective, and a lens that it names stands in place of the run's: keys of the
-/// run that set the same quantity, or belong to a lens which is gone, are not said any more.
+/// A film is seen in perspective, and a lens that it names stands in place of the run's: keys of
+/// the run that set the same quantity, or belong to a lens which is gone, are not said any more.
 void take_lens(const std::set<std::string>& given, CameraSettings& camera) {
     const auto says = [&](const char* key) { return given.contains(key); };
     camera.projection = Projection::perspective;
