@@ -163,6 +163,16 @@ class Gathering {
         return tried;
     }
 
+    /// Whether a file holds the beds of a run that a figure or a sweep keeps beside it.
+    static bool is_stored_for_others(const fs::path& file) {
+        constexpr std::string_view of_sweep = "-fields.nc";
+        const std::string name = file.filename().string();
+        if (name == "fields.nc") return is_file(file.parent_path() / "job.json");
+        if (!name.ends_with(of_sweep)) return false;
+        const std::string run = name.substr(0, name.size() - of_sweep.size());
+        return is_file(file.parent_path() / (run + ".json"));
+    }
+
     void add_folder(const fs::path& folder, int depth) {
         if (is_file(folder / "run.json")) {
             add_run(folder);
@@ -177,7 +187,7 @@ class Gathering {
             if (fs::is_directory(path, fault)) {
                 // A gallery holds copies of what is gathered.
                 if (depth < deepest && !is_file(path / "gallery.css")) add_folder(path, depth + 1);
-            } else if (is_file(path)) {
+            } else if (is_file(path) && !is_stored_for_others(path)) {
                 add_file(path);
             }
         }
