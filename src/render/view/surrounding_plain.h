@@ -40,8 +40,8 @@ class SurroundingPlain {
     SurroundingPlain(const Snapshot& first, WorkerPool& pool);
 
     /// That bed, or one of the same cells, in the plain: a snapshot of the maps of GroundTiles,
-    /// periodic and without cells outside, of fields only those that are drawn, and the `coloured`
-    /// one, which has no values (NaN) in the plain.
+    /// periodic and without cells outside, of fields only those that are drawn, which go
+    /// on over the plain, and the `coloured` one, which has no values (NaN) there.
     [[nodiscard]] Snapshot around(const Snapshot& snapshot, WorkerPool& pool,
                                   std::string_view coloured = {}) const;
 
