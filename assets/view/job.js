@@ -86,8 +86,12 @@ export function start(place, heard = () => {}) {
       const job = await (await ask(`job?client=${client}`)).json();
       show(job);
       await heard(job);
-      if (!job.outcome) setTimeout(watch, 1000);
-      else await ask(`job?client=${client}&last=1`);
+      if (!job.outcome) {
+        setTimeout(watch, 1000);
+        return;
+      }
+      if (pictures > 0) await image.decode().catch(() => {});
+      await ask(`job?client=${client}&last=1`);
     } catch (refusal) {
       left.textContent = refusal.message;
       stop.disabled = true;

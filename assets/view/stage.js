@@ -10,7 +10,9 @@ const rest = 280;  // ms without a change, before the whole picture is drawn
 
 let version = 0;   // of what is wanted
 let drawn = 0;     // of the last draft
+let shown = 0;     // of the picture that is seen
 let drafting = false;
+let over = false;  // the program ends: nothing is asked for any more but by the user
 let whole = null;  // the timer
 let wantsWhole = true;
 let waits = null;  // for what is being computed
@@ -23,7 +25,9 @@ export function complain(text) {
   message.hidden = !text;
 }
 
-async function show(response, kind) {
+async function show(response, kind, of) {
+  if (of < shown) return;
+  shown = of;
   const old = picture.src;
   picture.src = URL.createObjectURL(await response.blob());
   await picture.decode().catch(() => {});
@@ -48,22 +52,40 @@ function wholeSize() {
   return { width: Math.max(16, Math.round(width * factor)), height: Math.max(16, Math.round(height * factor)) };
 }
 
-export async function drawWhole() {
+/** Whether it is shown then. */
+async function drawWhole() {
   const of = version;
   stage.setAttribute("aria-busy", "true");
   try {
     const response = await post("picture", { ...pictureRequest(), ...wholeSize() });
-    if (of !== version) return;
-    if (response) await show(response, "whole");
+    if (of !== version) return false;
+    if (response) await show(response, "whole", of);
     else later();
+    return Boolean(response);
   } catch (refusal) {
     if (of === version) complain(refusal.message);
+    return false;
   } finally {
     if (of === version) stage.removeAttribute("aria-busy");
   }
 }
 
+/** Draws the present whole, as the last picture before the program ends. */
+export async function drawLast() {
+  over = true;
+  wantsWhole = false;
+  clearTimeout(whole);
+  clearTimeout(waits);
+  drawn = ++version;
+  const of = version;
+  for (let tries = 0; tries < 10 && of === version && !(await drawWhole()); ++tries) await pause(200);
+  while (drafting && of === version) await pause(20);
+}
+
+const pause = (milliseconds) => new Promise((done) => { setTimeout(done, milliseconds); });
+
 function later() {
+  if (over) return;
   clearTimeout(waits);
   waits = setTimeout(() => refresh(!wantsWhole), 400);
 }
@@ -73,9 +95,10 @@ async function draft() {
   drafting = true;
   while (drawn !== version) {
     drawn = version;
+    const of = version;
     try {
       const response = await post("picture", { ...pictureRequest(), draft: true, width: 640, height: 360 });
-      if (response) await show(response, "draft");
+      if (response) await show(response, "draft", of);
       else later();
     } catch (refusal) {
       complain(refusal.message);
@@ -100,7 +123,7 @@ export function start() {
   let resized = null;
   new ResizeObserver(() => {
     clearTimeout(resized);
-    resized = setTimeout(() => { if (!drafting && (wantsWhole || !state.live)) drawWhole(); }, 400);
+    resized = setTimeout(() => { if (!over && !drafting && (wantsWhole || !state.live)) drawWhole(); }, 400);
   }).observe(stage);
   refresh(state.live);
 }

@@ -90,6 +90,7 @@ async function watch() {
   try {
     const model = modelOf();
     const progress = await postForJson("progress", { settings: changed() });
+    if (ended) return;
     const was = state.subject.moments;
     const more = progress.moments.length !== was.length || progress.moments.some((one, i) => one.ready !== was[i].ready || one.step !== was[i].step);
     const step = was[state.moment].step;
@@ -164,7 +165,7 @@ function watchJob() {
     await plots.load();
     state.subject.moments = moments;
     if (atEnd) go(Infinity, "newest");
-    await stage.drawWhole();
+    await stage.drawLast();
   });
 }
 
