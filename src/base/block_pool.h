@@ -17,6 +17,27 @@ class BlockPool {
   public:
     static constexpr std::size_t always = std::size_t{40} << 20;
 
+    /// While it lives, a pool holds all that was in use at once since: for work that needs the same
+    /// memory again and again, like the frames of a film. A picture of water on endless ground
+    /// takes some 400 MB of fields.
+    class Repetition {
+      public:
+        explicit Repetition(BlockPool& pool) : pool_(pool) {
+            const std::lock_guard lock(pool_.mutex_);
+            if (pool_.repetitions_++ == 0) pool_.most_repeated_ = pool_.in_use_;
+        }
+        ~Repetition() {
+            const std::lock_guard lock(pool_.mutex_);
+            --pool_.repetitions_;
+            pool_.hold_at_most(pool_.room());
+        }
+        Repetition(const Repetition&) = delete;
+        Repetition& operator=(const Repetition&) = delete;
+
+      private:
+        BlockPool& pool_;
+    };
+
     BlockPool() = default;
     /// Frees what it holds.
     ~BlockPool() { hold_at_most(0); }
@@ -35,6 +56,7 @@ class BlockPool {
         const std::lock_guard lock(mutex_);
         in_use_ += bytes;
         most_in_use_ = std::max(most_in_use_, in_use_);
+        most_repeated_ = std::max(most_repeated_, in_use_);
         for (std::size_t k = count_; k-- > 0;) {
             if (blocks_[k].bytes == bytes) return removed(k);
         }
@@ -53,13 +75,13 @@ class BlockPool {
     void give_back(void* memory, std::size_t bytes) noexcept {
         const std::lock_guard lock(mutex_);
         in_use_ -= bytes;
-        const std::size_t room = std::max(always, in_use_ / 2);
-        if (bytes > room) {
+        const std::size_t room_now = room();
+        if (bytes > room_now) {
             std::free(memory);
-            hold_at_most(room);
+            hold_at_most(room_now);
             return;
         }
-        hold_at_most(room - bytes);
+        hold_at_most(room_now - bytes);
         if (count_ == blocks_.size()) std::free(removed(0));
         blocks_[count_++] = {memory, bytes};
         bytes_ += bytes;
@@ -76,6 +98,11 @@ class BlockPool {
         void* memory = nullptr;
         std::size_t bytes = 0;
     };
+
+    [[nodiscard]] std::size_t room() const noexcept {
+        const std::size_t usual = std::max(always, in_use_ / 2);
+        return repetitions_ > 0 ? std::max(usual, most_repeated_ - in_use_) : usual;
+    }
 
     void hold_at_most(std::size_t bytes) noexcept {
         while (bytes_ > bytes) std::free(removed(0));
@@ -95,6 +122,8 @@ class BlockPool {
     std::size_t bytes_ = 0;
     std::size_t in_use_ = 0;
     std::size_t most_in_use_ = 0;
+    std::size_t most_repeated_ = 0;  ///< in use at once since the first repetition began
+    int repetitions_ = 0;
 };
 
 }  // namespace fumon

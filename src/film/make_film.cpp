@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/block_pool.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/sha256.h"
@@ -25,7 +26,6 @@
 #include "film/frame_consumer.h"
 #include "film/frame_pace.h"
 #include "film/frame_sequence.h"
-#include "film/held_fields.h"
 #include "film/joined_film.h"
 #include "picture/colour_table.h"
 #include "picture/exr.h"
@@ -44,7 +44,6 @@ namespace fs = std::filesystem;
 constexpr int worst_rate_factor = 44;  // before pictures become smaller instead
 constexpr int rate_factor_step = 4;    // rate factors from one try to the next
 constexpr int most_try_count = 14;
-constexpr std::size_t held_field_bytes = std::size_t{1} << 30;
 constexpr double sheet_dots_per_inch = 100.0;  // dots per inch
 
 /// Ends a film that was interrupted.
@@ -167,7 +166,7 @@ class FilmMaker {
 
     /// Draws all frames and hands them on, each while the next one is drawn.
     void draw_all(const FrameConsumer::Use& use) {
-        const HeldFields held(held_field_bytes);
+        const BlockPool::Repetition frames(BlockPool::shared());
         FrameConsumer consumer([&](const Image& image) {
             add_to_hash(pixels_, image);
             use(image);

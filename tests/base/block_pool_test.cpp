@@ -60,6 +60,23 @@ TEST(BlockPool, HoldsHalfOfWhatIsInUse) {
     EXPECT_LE(pool.held(), BlockPool::always) << "what a run took goes back";
 }
 
+TEST(BlockPool, HoldsAllThatARepetitionHadInUse) {
+    BlockPool pool;
+    constexpr std::size_t field = 8 * page;
+    void* before = taken(pool, 20 * field);
+    pool.give_back(before, 20 * field);
+    {
+        const BlockPool::Repetition frames(pool);
+        for (int frame = 0; frame < 3; ++frame) {
+            std::array<void*, 12> fields{};
+            for (void*& one : fields) one = taken(pool, field);
+            for (void* one : fields) pool.give_back(one, field);
+            EXPECT_EQ(pool.held(), 12 * field) << "frame " << frame;
+        }
+    }
+    EXPECT_LE(pool.held(), BlockPool::always) << "no frame comes any more";
+}
+
 TEST(BlockPool, MakesRoomForOtherSizes) {
     BlockPool pool;
     constexpr std::size_t field = 8 * page;
