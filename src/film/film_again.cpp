@@ -33,10 +33,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Scene scene_of(const FilmedRun& run, const FilmAgain& wanted) {
+/// `layers`: files of the film besides the run's.
+Scene scene_of(const FilmedRun& run, const std::vector<InputFile>& layers,
+               const FilmAgain& wanted) {
+    std::vector<InputFile> listed = run.inputs;
+    listed.insert(listed.end(), layers.begin(), layers.end());
     Scene scene = parse_scene(
-        {run.scene, wanted.film.string(), "", wanted.trust, hashes_of(run.inputs), run.version},
-        {});
+        {run.scene, wanted.film.string(), "", wanted.trust, hashes_of(listed), run.version}, {});
     check_limits(scene, 1, scene.run.steps);
     find_inputs(scene, run.inputs, wanted.film, "film");
     return scene;
@@ -87,9 +90,9 @@ StoredBeds opened_again(const FilmedRun& run, const FilmAgain& wanted, StatusLin
 }
 
 /// Simulates a run into a folder. Nothing when interrupted.
-std::optional<StoredBeds> stored_again(const FilmedRun& run, const FilmAgain& wanted,
-                                       const fs::path& folder) {
-    PreparedScene ready = prepare_scene(scene_of(run, wanted));
+std::optional<StoredBeds> stored_again(const FilmedRun& run, const std::vector<InputFile>& layers,
+                                       const FilmAgain& wanted, const fs::path& folder) {
+    PreparedScene ready = prepare_scene(scene_of(run, layers, wanted));
     check_limits(ready.scene, static_cast<std::int64_t>(ready.initial.bed.size()),
                  ready.scene.run.steps);
     PreparedRun prepared = prepare_run(std::move(ready), wanted.work.threads);
@@ -121,6 +124,8 @@ int make_film_again(const FilmAgain& wanted) {
     const std::vector<FilmedRun> runs = filmed_runs(texts, wanted.film.string());
     const FilmText text = film_text(wanted.film);
     Film film = parse_film(text.text, wanted.film.string(), wanted.work.settings, false);
+    const std::vector<InputFile> layers = filmed_layers(texts);
+    film.found_layers = found_layers(layers, wanted.film);
     const std::string ending = ending_of(film.settings.format);
     const fs::path usual = wanted.film.stem().string() + "-again" + ending;
     FilmOutput output{wanted.output.empty() ? usual : wanted.output, std::move(film),
@@ -142,7 +147,7 @@ int make_film_again(const FilmAgain& wanted) {
         fs::create_directory(folder);
         if (status.due())
             status.show(fmt::format("simulates run {} of {}", stored.size() + 1, runs.size()));
-        std::optional<StoredBeds> beds = stored_again(run, wanted, folder);
+        std::optional<StoredBeds> beds = stored_again(run, layers, wanted, folder);
         if (!beds) return exit_status_of_signal(interrupting_signal());
         stored.push_back(std::move(*beds));
     }

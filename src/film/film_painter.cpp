@@ -113,7 +113,7 @@ void FilmPainter::stage_panes(const std::vector<Override>& looks) {
     }
     for (std::size_t run = 0; run < runs_.size(); ++run) {
         Pane pane{&runs_.beds(run), stage_.scene};
-        pane.sun = with_looks(with_looks(pane.beds->scene(), film_.looks), looks).view.sun;
+        pane.sun = with_looks(pane.beds->scene(), film_, looks).view.sun;
         if (run > 0) {
             pane.scene = runs_.beds(run).scene();
             pane.scene.view = stage_.scene.view;

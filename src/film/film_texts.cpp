@@ -12,6 +12,7 @@
 #include "picture/exr.h"
 #include "picture/movie.h"
 #include "picture/png.h"
+#include "run/inputs/find_input.h"
 #include "run/picture_text.h"
 #include "scene/input_maps.h"
 #include "scene/json.h"
@@ -38,6 +39,19 @@ FilmTexts texts_of_json(const fs::path& file) {
 std::string text_of(const FilmTexts& texts, const char* keyword) {
     const auto found = texts.find(keyword);
     return found == texts.end() ? "" : found->second;
+}
+
+Json json_of(const std::vector<InputFile>& inputs) {
+    Json list = Json::array();
+    for (const InputFile& input : inputs)
+        list.push_back({{"path", input.path}, {"sha256", input.hash}});
+    return list;
+}
+
+std::vector<InputFile> inputs_of(const Json& list) {
+    std::vector<InputFile> inputs;
+    for (const auto& input : list) inputs.push_back({input.at("path"), input.at("sha256")});
+    return inputs;
 }
 
 }  // namespace
@@ -67,12 +81,9 @@ std::string filmed_runs_text(const FilmRuns& runs) {
     Json list = Json::array();
     for (std::size_t run = 0; run < runs.size(); ++run) {
         const StoredBeds& beds = runs.beds(run);
-        Json inputs = Json::array();
-        for (const InputFile& input : without_local_paths(beds.inputs()))
-            inputs.push_back({{"path", input.path}, {"sha256", input.hash}});
         list.push_back({{"name", fs::path(beds.name()).filename().string()},
                         {"scene", resolved_scene(beds.scene(), beds.inputs())},
-                        {"inputs", inputs}});
+                        {"inputs", json_of(without_local_paths(beds.inputs()))}});
         if (const std::optional<ForeignQuery>& query = beds.foreign_query())
             list.back()["foreign"] = {{"fields", query->fields},
                                       {"time_pattern", query->time_pattern},
@@ -87,9 +98,8 @@ std::vector<FilmedRun> filmed_runs(const FilmTexts& texts, const std::string& fi
     std::vector<FilmedRun> runs;
     try {
         for (const auto& item : parse_json(text_of(texts, runs_keyword))) {
-            FilmedRun run{item.at("name"), item.at("scene"), {}, text_of(texts, version_keyword)};
-            for (const auto& input : item.at("inputs"))
-                run.inputs.push_back({input.at("path"), input.at("sha256")});
+            FilmedRun run{item.at("name"), item.at("scene"), inputs_of(item.at("inputs")),
+                          text_of(texts, version_keyword)};
             if (item.contains("foreign")) {
                 const auto& query = item.at("foreign");
                 run.foreign = ForeignQuery{query.at("fields"), query.at("time_pattern"),
@@ -106,6 +116,26 @@ std::vector<FilmedRun> filmed_runs(const FilmTexts& texts, const std::string& fi
         fmt::format("{}: does not name the runs that it was cut from; `fumon film RUN {}` makes it "
                     "again from a run's folder",
                     film, film));
+}
+
+std::string filmed_layers_text(const std::vector<InputFile>& layers) {
+    return json_text(json_of(layers));
+}
+
+std::vector<InputFile> filmed_layers(const FilmTexts& texts) {
+    const std::string text = text_of(texts, layers_keyword);
+    try {
+        return text.empty() ? std::vector<InputFile>() : inputs_of(parse_json(text));
+    } catch (const nlohmann::json::exception&) {
+        return {};
+    }
+}
+
+LayerFiles found_layers(const std::vector<InputFile>& layers, const fs::path& film) {
+    LayerFiles found;
+    for (const InputFile& layer : layers)
+        found[layer.path] = find_input(layer, film, "film").string();
+    return found;
 }
 
 std::int64_t most_bytes_of(const FilmTexts& texts) {

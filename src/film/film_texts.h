@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "film/beds/film_runs.h"
+#include "film/script/film.h"
 #include "foreign/foreign_run.h"
 #include "scene/initial_bed.h"
 
@@ -37,6 +38,15 @@ FilmTexts read_film_texts(const std::filesystem::path& file);
 std::string filmed_runs_text(const FilmRuns& runs);
 std::vector<FilmedRun> filmed_runs(const FilmTexts& texts, const std::string& film);
 
+/// Writes the text of the files that a film's layers name (fumon:layers), as layer_inputs() lists
+/// them, and reads it; no files where there is none.
+std::string filmed_layers_text(const std::vector<InputFile>& layers);
+std::vector<InputFile> filmed_layers(const FilmTexts& texts);
+
+/// Where those files are, for Film::found_layers. Throws as find_input() where one is missing or
+/// has changed since the film was made.
+LayerFiles found_layers(const std::vector<InputFile>& layers, const std::filesystem::path& film);
+
 /// The size that a film had to fit (fumon:most-bytes); 0: any.
 std::int64_t most_bytes_of(const FilmTexts& texts);
 
@@ -44,6 +54,7 @@ std::int64_t most_bytes_of(const FilmTexts& texts);
 std::string why_films_differ(const FilmTexts& then, const std::filesystem::path& made);
 
 inline constexpr const char* runs_keyword = "fumon:runs";
+inline constexpr const char* layers_keyword = "fumon:layers";
 inline constexpr const char* most_bytes_keyword = "fumon:most-bytes";
 
 }  // namespace fumon

@@ -46,6 +46,7 @@ Film JoinedFilm::film_of(std::size_t number) const {
     std::string title = std::move(film.settings.title);
     film.settings = film_.settings;
     film.settings.title = std::move(title);
+    film.found_layers = film_.found_layers;
     film.looks.insert(film.looks.end(), film_.looks.begin(), film_.looks.end());
     return film;
 }

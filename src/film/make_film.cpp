@@ -27,6 +27,7 @@
 #include "film/frame_pace.h"
 #include "film/frame_sequence.h"
 #include "film/joined_film.h"
+#include "film/script/layer_files.h"
 #include "picture/colour_table.h"
 #include "picture/exr.h"
 #include "picture/movie.h"
@@ -102,7 +103,8 @@ class FilmMaker {
           facts_{film_.settings.title.empty() ? beds_.scene().title : film_.settings.title, remake},
           pool_(work.threads, "fumon-render"),
           cache_(holds_light(output.file) ? nullptr : cache),
-          painter_(film_frames(film_, runs, facts_, work.backend, pool_, cache_)) {
+          painter_(film_frames(film_, runs, facts_, work.backend, pool_, cache_)),
+          layers_(layer_inputs(film_)) {
         if (holds_light(output.file)) check_light(film_, runs);
         for (const std::string& note : painter_->notes()) status.note(note);
         const MovieFormat* format = find_movie_format(film_.settings.format);
@@ -187,6 +189,7 @@ class FilmMaker {
         texts.emplace_back(remake_keyword, facts_.remake);
         texts.emplace_back("fumon:scene", resolved_scene(beds_.scene(), beds_.inputs()));
         texts.emplace_back(runs_keyword, filmed_runs_text(runs_));
+        if (!layers_.empty()) texts.emplace_back(layers_keyword, filmed_layers_text(layers_));
         if (output_.most_bytes > 0)
             texts.emplace_back(most_bytes_keyword, fmt::format("{}", output_.most_bytes));
         texts.emplace_back("fumon:pixels-sha256", hex(pixels.so_far()));
@@ -388,7 +391,8 @@ class FilmMaker {
     WorkerPool pool_;
     PictureCache* cache_;
     std::unique_ptr<FilmFrames> painter_;
-    bool open_ = false;  ///< its frames have alpha
+    std::vector<InputFile> layers_;  ///< files of its layers
+    bool open_ = false;              ///< its frames have alpha
     Sha256Stream pixels_;
     Stopwatch watch_;
     FramePace pace_;

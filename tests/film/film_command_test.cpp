@@ -174,6 +174,31 @@ TEST_F(FilmCommandTest, AgainSimulatesItsRunsAndGivesTheSameBytes) {
     EXPECT_EQ(fumon({"again", "f.webp"}, folder_.path()).status, 2);
 }
 
+TEST_F(FilmCommandTest, AgainTakesTheLayersThatItsMetadataLists) {
+    const std::string line = R"({"type":"LineString","coordinates":[[2,2],[20,15]]})";
+    fs::create_directory(folder_ / "cut");
+    write_text(folder_ / "cut" / "line.geojson", line);
+    write_text(
+        folder_ / "cut" / "film.toml",
+        std::string(short_film) + "[[layer]]\nfile = \"line.geojson\"\ncolour = \"#ff0000\"\n");
+    const Ended made =
+        fumon({"film", "out", "cut/film.toml", "-o", "cut/f.png", "--set", "film.format=poster"},
+              folder_.path());
+    ASSERT_EQ(made.status, 0) << made.errors;
+    const auto again = [&] {
+        return fumon({"again", "cut/f.png", "-o", "again.png", "--force"}, folder_.path());
+    };
+    const Ended same = again();
+    EXPECT_EQ(same.status, 0) << same.errors;
+    EXPECT_EQ(read_text(folder_ / "again.png"), read_text(folder_ / "cut" / "f.png"));
+    write_text(folder_ / "cut" / "line.geojson", line + "\n");
+    const Ended changed = again();
+    EXPECT_EQ(changed.status, 2);
+    EXPECT_NE(changed.errors.find("line.geojson as it was when the film was made (SHA-256 "),
+              std::string::npos)
+        << changed.errors;
+}
+
 TEST_F(FilmCommandTest, MakesSheetsPostersAndFilesThatFit) {
     const Ended ended =
         film({"-o", "f.mp4", "--formats", "sheet,poster,webp", "--set", "shot.0.seconds=2"});

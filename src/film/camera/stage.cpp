@@ -49,7 +49,7 @@ void lay_layers_of(const Film& film, const StoredBeds& beds, const std::vector<O
 
 FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& size,
                      const std::vector<Override>& looks) {
-    FilmStage stage{with_looks(with_looks(beds.scene(), film.looks), looks), {}};
+    FilmStage stage{with_looks(beds.scene(), film, looks), {}};
     lay_layers_of(film, beds, looks, stage.scene);
     View& view = stage.scene.view;
     if (view.look.mode == ViewMode::figure && beds.first().section) {

@@ -123,6 +123,9 @@ struct Shot {
 
 struct Film;
 
+/// Files of layers, as a film writes them → where they are.
+using LayerFiles = std::map<std::string, std::string>;
+
 /// A piece of another film, without its cards and captions.
 struct Excerpt {
     std::string film;      ///< a film file, the name of one that fumon ships, or its text
@@ -161,6 +164,8 @@ struct Film {
     std::vector<Caption> captions;
     std::vector<OverlaySettings> overlays;
     std::vector<Override> looks;  ///< keys of the look that differ from the run's scene
+
+    LayerFiles found_layers;  ///< of a film made again, whose own folder they may not be in
 
     std::string source;                            ///< the file's name, for messages
     std::map<std::string, std::string> locations;  ///< key path → "file:line:column"

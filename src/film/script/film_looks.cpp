@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
 #include <utility>
 
 #include "base/error.h"
+#include "film/script/layer_files.h"
 #include "keys/key_value.h"
 #include "keys/look_presets.h"
 #include "keys/setting.h"
@@ -111,23 +111,6 @@ void put(std::vector<Override>& looks, Override setting) {
     looks.insert(place, std::move(setting));
 }
 
-/// Where a layer's file lies, which a film names as seen from its own folder. Others may have
-/// written the film that a movie holds: no file that it names is read.
-void find_layer_file(LayerSettings& layer, const Override& setting) {
-    if (setting.place.starts_with("--set") || layer.file.empty()) return;
-    const std::filesystem::path film(setting.place.substr(0, setting.place.rfind(':')));
-    std::string ending = film.extension().string();
-    for (char& letter : ending)
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    if (ending != ".toml") {
-        throw InputError(
-            fmt::format("{}: {}: a film within a movie or picture reads no files; write "
-                        "it to a film file of your own",
-                        setting.place, setting.path));
-    }
-    layer.file = std::filesystem::absolute(film.parent_path() / layer.file).string();
-}
-
 /// A film is seen in perspective, and a lens that it names stands in place of the run's: keys of
 /// the run that set the same quantity, or belong to a lens which is gone, are not said any more.
 void take_lens(const std::set<std::string>& given, CameraSettings& camera) {
@@ -160,6 +143,44 @@ std::string sections_of(const std::vector<Override>& looks, const std::string& o
         text += keys;
     }
     return text;
+}
+
+/// Keys of a look in place of a scene's.
+Scene with_looks(Scene scene, const std::vector<Override>& looks, const LayerFiles& found) {
+    if (looks.empty()) return scene;
+    // What the run's scene says of a look is no longer said.
+    std::erase_if(scene.locations, [](const auto& key) { return !look_path(key.first).empty(); });
+    size_lists(scene, looks);
+    const KeyTable table = scene_keys(scene);
+    for (const Override& setting : looks) {
+        if (setting.path != "look.preset") continue;
+        const Setting read = parse_setting(setting);
+        apply_look_preset(table, read.value().value_or(std::string()), setting.place);
+    }
+    std::set<std::string> given;
+    for (const Override& setting : looks) {
+        if (setting.path == "look.preset") continue;
+        const Setting read = parse_setting(setting);
+        assign(look_key(table, setting.path, read.locate_key()), read.value(),
+               [&](const auto& region) { return read.locate(region); });
+        scene.locations[setting.path] = read.locate(read.value().source());
+        given.insert(setting.path);
+        if (!names_layer_file(setting)) continue;
+        std::string& file = scene.view.layers[std::stoul(setting.path.substr(6))].file;
+        if (!file.empty()) file = layer_file(setting, found).string();
+    }
+    take_lens(given, scene.view.camera);
+    SunSettings& sun = scene.view.sun;
+    if (given.contains("sun.azimuth") || given.contains("sun.elevation")) {
+        if (!given.contains("sun.place")) sun.place.clear();
+        if (!given.contains("sun.time")) sun.time.clear();
+        if (!given.contains("sun.hours")) sun.hours = 0.0;
+    }
+    Faults faults(scene.source);
+    check_scene(scene, {}, faults);
+    faults.report();
+    place_sun(sun);
+    return scene;
 }
 
 }  // namespace
@@ -277,40 +298,9 @@ bool same_looks(const std::vector<Override>& first, const std::vector<Override>&
     });
 }
 
-Scene with_looks(Scene scene, const std::vector<Override>& looks) {
-    if (looks.empty()) return scene;
-    // What the run's scene says of a look is no longer said.
-    std::erase_if(scene.locations, [](const auto& key) { return !look_path(key.first).empty(); });
-    size_lists(scene, looks);
-    const KeyTable table = scene_keys(scene);
-    for (const Override& setting : looks) {
-        if (setting.path != "look.preset") continue;
-        const Setting read = parse_setting(setting);
-        apply_look_preset(table, read.value().value_or(std::string()), setting.place);
-    }
-    std::set<std::string> given;
-    for (const Override& setting : looks) {
-        if (setting.path == "look.preset") continue;
-        const Setting read = parse_setting(setting);
-        assign(look_key(table, setting.path, read.locate_key()), read.value(),
-               [&](const auto& region) { return read.locate(region); });
-        scene.locations[setting.path] = read.locate(read.value().source());
-        given.insert(setting.path);
-        if (setting.path.starts_with("layer.") && setting.path.ends_with(".file"))
-            find_layer_file(scene.view.layers[std::stoul(setting.path.substr(6))], setting);
-    }
-    take_lens(given, scene.view.camera);
-    SunSettings& sun = scene.view.sun;
-    if (given.contains("sun.azimuth") || given.contains("sun.elevation")) {
-        if (!given.contains("sun.place")) sun.place.clear();
-        if (!given.contains("sun.time")) sun.time.clear();
-        if (!given.contains("sun.hours")) sun.hours = 0.0;
-    }
-    Faults faults(scene.source);
-    check_scene(scene, {}, faults);
-    faults.report();
-    place_sun(sun);
-    return scene;
+Scene with_looks(Scene scene, const Film& film, const std::vector<Override>& looks) {
+    return with_looks(with_looks(std::move(scene), film.looks, film.found_layers), looks,
+                      film.found_layers);
 }
 
 }  // namespace fumon

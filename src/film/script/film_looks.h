@@ -43,9 +43,9 @@ std::vector<std::string> coloured_fields(const Film& film);
 /// Whether two lists of settings give a scene the same look.
 bool same_looks(const std::vector<Override>& first, const std::vector<Override>& second);
 
-/// A scene whose look has been changed. Persons, tracks and layers that are named replace all of
-/// the scene's; layers are not laid over the bed yet. Throws InputError, located, where the
-/// settings do not fit each other or the scene.
-Scene with_looks(Scene scene, const std::vector<Override>& looks);
+/// A scene with the look of a film, changed by `looks`. Persons, tracks and layers that are named
+/// replace all of the scene's; layers are not laid over the bed yet. Throws InputError, located,
+/// where the settings do not fit each other or the scene.
+Scene with_looks(Scene scene, const Film& film, const std::vector<Override>& looks);
 
 }  // namespace fumon
