@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -308,6 +309,23 @@ Snapshot StoredBeds::read(std::size_t number, const Snapshot& outline) const {
 
 std::shared_ptr<const Snapshot> StoredBeds::snapshot(std::size_t number) const {
     return kept_or(kept_, number, first_, [&] { return read(number, first_); });
+}
+
+std::shared_ptr<const Snapshot> StoredBeds::snapshot(const RecordPlace& place) const {
+    if (place.share <= 0.0 || place.next == place.bed) return snapshot(place.bed);
+    if (!blended_ || blended_place_ != place) {
+        const auto one = snapshot(place.bed);
+        blended_ =
+            std::make_shared<const Snapshot>(blended(*one, *snapshot(place.next), place.share));
+        blended_place_ = place;
+    }
+    return blended_;
+}
+
+std::int64_t StoredBeds::step_at(const RecordPlace& place) const {
+    const std::int64_t from = beds_.at(place.bed).step;
+    const auto way = static_cast<double>(beds_.at(place.next).step - from);
+    return from + std::llround(place.share * way);
 }
 
 std::shared_ptr<const Snapshot> StoredBeds::heights(std::size_t number) const {
