@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/error.h"
@@ -27,6 +28,27 @@ double overrun_of_pane(double aspect) {
     constexpr double most = 0.45;
     constexpr double narrowest = 0.5;  // from which on it is that much
     return most * std::clamp((1.0 - aspect) / (1.0 - narrowest), 0.0, 1.0);
+}
+
+/// Whether records lie at distances in time that differ by half or more.
+bool are_uneven(const std::vector<StoredBed>& records) {
+    constexpr double even = 1.5;  // ratio of distances
+    double shortest = INFINITY;
+    double longest = 0.0;
+    for (std::size_t i = 1; i < records.size(); ++i) {
+        const double apart = records[i].time - records[i - 1].time;
+        shortest = std::min(shortest, apart);
+        longest = std::max(longest, apart);
+    }
+    return longest > even * shortest;
+}
+
+/// What invents the ground between two beds is said, and what holds it where one would not expect
+/// that: of surveys.
+TimeNote time_note_of(const Film& film, const StoredBeds& beds) {
+    if (film.settings.between == RecordsBetween::blend) return TimeNote::blended;
+    const bool held = beds.foreign() != nullptr && are_uneven(beds.beds());
+    return held ? TimeNote::held : TimeNote::none;
 }
 
 /// An overlay's fault, at its key in the film.
@@ -127,11 +149,7 @@ void FilmPainter::stage_panes(const std::vector<Override>& looks) {
     stage_.scene.view.overlays = panes_.front().scene.view.overlays;
 }
 
-std::size_t FilmPainter::bed_of(std::size_t run, const Moment& moment) const {
-    return runs_.in_step(run, moment.bed, film_.shots[moment.shot].clock);
-}
-
-/// All moments that the film shows, which all runs have stored.
+/// All moments of stored beds that the film shows, or shows the time between, which all runs have.
 std::set<FilmPainter::Moment> FilmPainter::shown_moments() const {
     std::set<Moment> shown;
     for (const FilmPart& part : timeline_.parts()) {
@@ -140,7 +158,9 @@ std::set<FilmPainter::Moment> FilmPainter::shown_moments() const {
         for (std::int64_t i = 0; i < moving; ++i) {
             const double share =
                 moving > 1 ? static_cast<double>(i) / static_cast<double>(moving - 1) : 0.0;
-            shown.insert({part.number, shots_[part.number].bed_at(share)});
+            const RecordPlace place = shots_[part.number].place_at(share);
+            for (const std::size_t bed : {place.bed, place.next})
+                shown.insert({part.number, {bed, bed, 0.0}});
         }
     }
     for (const Moment& moment : shown)
@@ -167,7 +187,7 @@ void FilmPainter::place_overlays(const FilmSize& size) {
             made = std::make_unique<FrameOverlays>(
                 scene, runs_.first().first(),
                 OverlayStyle{film_.settings.plates == Plates::none, true, safe_edge_share * side,
-                             end_time, under});
+                             end_time, under, time_note_of(film_, runs_.first())});
         });
         return made;
     };
@@ -218,7 +238,7 @@ std::int64_t FilmPainter::frame_of(const FramePart& shown) const {
 
 FilmPainter::ViewState FilmPainter::view_state_of(const PictureRequest& wanted) const {
     const StagedShot& shot = shots_[wanted.shot];
-    return {{wanted.shot, shot.bed_at(wanted.share)}, shot.pose_at(wanted.share), wanted.frame};
+    return {{wanted.shot, shot.place_at(wanted.share)}, shot.pose_at(wanted.share), wanted.frame};
 }
 
 namespace {
@@ -243,21 +263,21 @@ FramePose FilmPainter::pose_of(std::size_t run, const ViewState& view_state) con
     frame.metered = camera_of(stage_, shots_[view_state.moment.shot].pose_at(0.0));
     const StoredBeds& beds = *panes_[run].beds;
     frame.share =
-        share_of_run(beds.beds()[bed_of(run, view_state.moment)].step, beds.scene().run.steps);
+        share_of_run(beds.step_at(place_of(run, view_state.moment)), beds.scene().run.steps);
     const SunSettings there = sun_at(panes_[run].sun, frame.share);
     if (there.hours != 0.0 && leaves_sun_to_scene(film_.shots[view_state.moment.shot]))
         frame.sun = there;
-    if (differs()) frame.reference = panes_[1].beds->snapshot(bed_of(1, view_state.moment));
+    if (differs()) frame.reference = snapshot_of(1, view_state.moment);
     return frame;
 }
 
 /// Reads the bed, and says how what its picture needs is found.
 PicturePrefetch::Find FilmPainter::preparation_of(std::size_t run, const ViewState& view_state) {
     Pane& pane = panes_[run];
-    return
-        [&renderer = renderer_of(pane), bed = pane.beds->snapshot(bed_of(run, view_state.moment)),
-         frame = pose_of(run, view_state),
-         before = pane.lit](WorkerPool& pool) { return renderer.ready(bed, frame, before, pool); };
+    return [&renderer = renderer_of(pane), bed = snapshot_of(run, view_state.moment),
+            frame = pose_of(run, view_state), before = pane.lit](WorkerPool& pool) {
+        return renderer.ready(bed, frame, before, pool);
+    };
 }
 
 void FilmPainter::prefetch_from(const PictureRequest& present) {
@@ -282,10 +302,10 @@ Image FilmPainter::picture(std::size_t run, const FramePart& shown) {
     }
     Image image = pane.image;
     if (pane.overlays) {
-        const std::size_t number = bed_of(run, view_state.moment);
         const Camera camera = camera_of(stage_, view_state.pose);
         pane.overlays->draw(
-            image, {*pane.beds->snapshot(number), pane.rows[number], pane.colours, &camera});
+            image, {*snapshot_of(run, view_state.moment), pane.rows[bed_of(run, view_state.moment)],
+                    pane.colours, &camera});
     }
     return image;
 }
@@ -312,11 +332,11 @@ Image FilmPainter::ground(const FramePart& shown) {
 void FilmPainter::write_over(Image& image, const FramePart& shown) {
     if (!overlays_ || shown.part->kind == FilmPart::Kind::card) return;
     const StagedShot& shot = shots_[shown.part->number];
-    const std::size_t number = shot.bed_at(shown.share);
+    const RecordPlace place = shot.place_at(shown.share);
     const Pane& pane = panes_.front();
     const Camera camera = camera_of(stage_, shot.pose_at(shown.share));
-    overlays_->draw(image, {*pane.beds->snapshot(number), pane.rows[number], pane.colours, &camera,
-                            layout_.size().height});
+    overlays_->draw(image, {*pane.beds->snapshot(place), pane.rows[place.bed], pane.colours,
+                            &camera, layout_.size().height});
 }
 
 void FilmPainter::begin_frame(std::int64_t frame) {

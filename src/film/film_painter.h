@@ -12,6 +12,7 @@
 #include "base/image.h"
 #include "base/worker_pool.h"
 #include "figure/overlays/frame_overlays.h"
+#include "film/beds/blended_bed.h"
 #include "film/beds/film_runs.h"
 #include "film/cache/picture_cache.h"
 #include "film/camera/moves.h"
@@ -67,10 +68,10 @@ class FilmPainter : public FilmFrames {
     [[nodiscard]] const std::vector<std::string>& notes() const override { return notes_; }
 
   private:
-    /// A bed of the first run, by its number and that of its shot, in step.
+    /// A place among the beds of the first run, with the number of its shot, in step.
     struct Moment {
         std::size_t shot = 0;
-        std::size_t bed = 0;
+        RecordPlace place{};
         friend auto operator<=>(const Moment&, const Moment&) = default;
     };
     /// All that the picture of a run depends on.
@@ -100,6 +101,9 @@ class FilmPainter : public FilmFrames {
     void begin_frame(std::int64_t frame);
     [[nodiscard]] bool differs() const { return film_.panes.show == PanesShow::difference; }
     [[nodiscard]] std::size_t bed_of(std::size_t run, const Moment& moment) const;
+    [[nodiscard]] RecordPlace place_of(std::size_t run, const Moment& moment) const;
+    [[nodiscard]] std::shared_ptr<const Snapshot> snapshot_of(std::size_t run,
+                                                              const Moment& moment) const;
     [[nodiscard]] std::set<Moment> shown_moments() const;
     void keep_clear(double edge);
     void stage_panes(const std::vector<Override>& looks);
@@ -117,7 +121,7 @@ class FilmPainter : public FilmFrames {
                                                        const ViewState& view_state);
     Renderer& renderer_of(Pane& pane);
     [[nodiscard]] RenderLimits limits() const;
-    const Sha256& bed_key(std::size_t run, const Moment& moment);
+    Sha256 bed_key(std::size_t run, const Moment& moment);
     [[nodiscard]] Sha256 key_of(std::size_t run, const ViewState& view_state);
     void show(std::size_t run, const PictureRequest& wanted, const ViewState& view_state);
     void prefetch_from(const PictureRequest& present);

@@ -35,8 +35,25 @@ Renderer& FilmPainter::renderer_of(Pane& pane) {
     return *pane.renderer;
 }
 
-const Sha256& FilmPainter::bed_key(std::size_t run, const Moment& moment) {
+std::size_t FilmPainter::bed_of(std::size_t run, const Moment& moment) const {
+    return place_of(run, moment).bed;
+}
+
+RecordPlace FilmPainter::place_of(std::size_t run, const Moment& moment) const {
+    if (run == 0) return moment.place;
+    const FilmClock clock = film_.shots[moment.shot].clock;
+    return {runs_.in_step(run, moment.place.bed, clock),
+            runs_.in_step(run, moment.place.next, clock), moment.place.share};
+}
+
+std::shared_ptr<const Snapshot> FilmPainter::snapshot_of(std::size_t run,
+                                                         const Moment& moment) const {
+    return panes_[run].beds->snapshot(place_of(run, moment));
+}
+
+Sha256 FilmPainter::bed_key(std::size_t run, const Moment& moment) {
     Pane& pane = panes_[run];
+    if (moment.place.share > 0.0) return snapshot_hash(*snapshot_of(run, moment));
     const std::size_t number = bed_of(run, moment);
     auto known = pane.bed_keys.find(number);
     if (known == pane.bed_keys.end())
@@ -126,6 +143,7 @@ DrawingRecord FilmPainter::record() {
 /// stored beds would change that. A draft is told what the whole film would show.
 void FilmPainter::note_jumps(const std::set<Moment>& shown) {
     constexpr double few = 3.0;  // frames a bed
+    if (film_.settings.between == RecordsBetween::blend) return;
     const std::vector<StoredBed>& beds = runs_.first().beds();
     for (const FilmPart& part : timeline_.parts()) {
         if (part.kind != FilmPart::Kind::shot) continue;
@@ -133,8 +151,8 @@ void FilmPainter::note_jumps(const std::set<Moment>& shown) {
         std::size_t last = 0;
         for (const Moment& moment : shown) {
             if (moment.shot != part.number) continue;
-            first = std::min(first, moment.bed);
-            last = std::max(last, moment.bed);
+            first = std::min(first, moment.place.bed);
+            last = std::max(last, moment.place.bed);
         }
         const double frames =
             film_.settings.frames_for_one * static_cast<double>(part.frames - part.held);

@@ -190,6 +190,10 @@ class FilmMaker {
         texts.emplace_back("fumon:scene", resolved_scene(beds_.scene(), beds_.inputs()));
         texts.emplace_back(runs_keyword, filmed_runs_text(runs_));
         if (!layers_.empty()) texts.emplace_back(layers_keyword, filmed_layers_text(layers_));
+        if (film.settings.between == RecordsBetween::blend)
+            texts.emplace_back("fumon:between-records",
+                               "blended: heights, water and colours between two stored records "
+                               "change evenly in time and were computed by no model");
         if (output_.most_bytes > 0)
             texts.emplace_back(most_bytes_keyword, fmt::format("{}", output_.most_bytes));
         texts.emplace_back("fumon:pixels-sha256", hex(pixels.so_far()));

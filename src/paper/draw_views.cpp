@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/quantity_text.h"
 #include "figure/panels/axis_units.h"
@@ -29,14 +29,10 @@ void take_whole_range(LookSettings& look, const PanelSettings& panel, const Snap
     if (!ranges_by_values(look) || panel.low.word == "auto-0.2" || panel.high.word == "auto-0.2")
         return;
     if (panel.low.word != "auto" && panel.high.word != "auto") return;
-    double low = std::numeric_limits<double>::max();
-    double high = std::numeric_limits<double>::lowest();
-    for (const Snapshot& snapshot : snapshots) {
-        const auto [least, greatest] =
-            colour_range(look, snapshot, coloured_values(look, snapshot, first), tails_of(panel));
-        low = std::min(low, least);
-        high = std::max(high, greatest);
-    }
+    std::vector<Field<float>> values;
+    for (const Snapshot& snapshot : snapshots)
+        values.push_back(coloured_values(look, snapshot, first));
+    const auto [low, high] = joined_colour_range(look, snapshots, values, tails_of(panel));
     look.low = {"", low};
     look.high = {"", high};
 }

@@ -66,6 +66,55 @@ TEST(StoredBeds, AreThoseThatTheRunRecorded) {
     EXPECT_EQ(rows[20].find("step")->values.size(), 5U);
 }
 
+TEST(StoredBeds, BetweenTwoOfThemHeightsAreTheirMean) {
+    const StoredBeds beds(filmed_run(), 1);
+    const auto middle = beds.snapshot(RecordPlace{4, 8, 0.5});
+    EXPECT_EQ(middle->step, 6);
+    EXPECT_EQ(middle->time, 6.0);
+    const Grid& one = beds.snapshot(4)->bed;
+    const Grid& other = beds.snapshot(8)->bed;
+    ASSERT_NE(one, other);
+    for (std::size_t i = 0; i < one.size(); ++i)
+        ASSERT_EQ(middle->bed.values()[i], 0.5 * (one.values()[i] + other.values()[i]));
+    EXPECT_EQ(beds.snapshot(RecordPlace{4, 8, 0.0}), beds.snapshot(4));
+}
+
+TEST(StoredBeds, BetweenTwoOfThemMarksAndMissingValuesAreTheNearerOnes) {
+    Snapshot one;
+    one.bed = Grid(2, 1);
+    one.fields = {{"last_avalanche", "", "1", Grid(2, 1)}, {"water_depth", "", "m", Grid(2, 1)}};
+    Snapshot other = one;
+    other.nodata = Mask(2, 1);
+    other.nodata(1, 0) = 1;
+    other.fields[0].values(0, 0) = 1.0;
+    other.fields[1].values(0, 0) = 4.0;
+    other.fields[1].values(1, 0) = NAN;
+    const Snapshot near = blended(one, other, 0.25);
+    EXPECT_EQ(near.fields[0].values(0, 0), 0.0);
+    EXPECT_EQ(near.fields[1].values(0, 0), 1.0);
+    EXPECT_EQ(near.fields[1].values(1, 0), 0.0);
+    EXPECT_EQ(near.nodata, other.nodata);
+    const Snapshot far = blended(one, other, 0.75);
+    EXPECT_EQ(far.fields[0].values(0, 0), 1.0);
+    EXPECT_TRUE(std::isnan(far.fields[1].values(1, 0)));
+}
+
+TEST(BedClock, BlendsEvenlyInTimeAtEveryPace) {
+    const auto place = [](const std::string& settings) {
+        const FilmAtWork film("[[shot]]\nseconds = 1\nfrom = 0\nto = 1\n" + settings);
+        const Film blending = [&] {
+            Film copy = film.film;
+            copy.settings.between = RecordsBetween::blend;
+            return copy;
+        }();
+        EXPECT_EQ(BedClock(film.film, 0, film.beds).place_at(0.3), (RecordPlace{0, 0, 0.0}));
+        return BedClock(blending, 0, film.beds).place_at(0.25);
+    };
+    EXPECT_EQ(place(""), (RecordPlace{0, 1, 0.25}));
+    const RecordPlace late = place("pace = \"logarithmic\"\n");
+    EXPECT_NEAR(late.share, std::pow(2.0, 0.25) - 1.0, 1e-12);  // of a time that grows by factors
+}
+
 // What slides show of a film that does not play yet.
 TEST(FilmPainter, TheFirstFrameHasNothingOfACardThatComes) {
     const std::string shot = "[[shot]]\nseconds = 2\n";

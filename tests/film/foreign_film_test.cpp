@@ -174,6 +174,36 @@ TEST_F(ForeignFilm, UnevenSurveysAreHeldWithTheirDates) {
     EXPECT_NE(frame("two_05"), frame("two_06"));
 }
 
+TEST_F(ForeignFilm, BlendsBetweenRecordsWhereThatIsAskedFor) {
+    for (const auto& [day, height] : {std::pair{"2001-01-01", "0"}, {"2001-01-03", "2"}}) {
+        write_text(folder_ / (std::string("a-") + day + ".asc"),
+                   std::string("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 5\n0 1 2\n") +
+                       "1 2 " + height + "\n");
+    }
+    write_text(folder_ / "film.toml",
+               "[film]\nwidth = 160\nheight = 120\nrate = 5\nsupersampling = 1\n"
+               "[[shot]]\nseconds = 1\nclock = \"time\"\n[[overlay]]\nkind = \"time\"\n");
+    const auto film = [&](const std::string& name, std::vector<std::string> more) {
+        std::vector<std::string> all{"film",     "a-*.asc",    "film.toml", "--time-pattern",
+                                     "%Y-%m-%d", "--no-cache", "-o",        name + "_%02d.png"};
+        all.insert(all.end(), more.begin(), more.end());
+        const Ended made = run(all);
+        EXPECT_EQ(made.status, 0) << made.errors;
+    };
+    const auto frame = [&](const std::string& name) { return read_png(folder_ / (name + ".png")); };
+    film("usual", {});
+    film("held", {"--set", "film.between=held"});
+    film("blended", {"--set", "film.between=blend"});
+    EXPECT_EQ(read_text(folder_ / "usual_01.png"), read_text(folder_ / "held_01.png"));
+    EXPECT_EQ(frame("held_00"), frame("held_01"));
+    EXPECT_NE(frame("blended_00"), frame("blended_01"));
+    EXPECT_NE(frame("blended_00"), frame("held_00"));  // the plate says what is blended
+    EXPECT_NE(read_text(folder_ / "blended_00.png").find("fumon:between-records"),
+              std::string::npos);
+    EXPECT_EQ(run({"again", "blended_01.png", "-o", "again.png"}).errors,
+              "again.png: the same bytes as blended_01.png\n");
+}
+
 TEST_F(ForeignFilm, APanelOfAFigureTakesAFileInPlaceOfAScene) {
     const auto figure = [&](const std::string& panels) {
         write_text(

@@ -171,8 +171,9 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
     const std::vector<OverlaySettings>& overlays = scene.view.overlays;
     const bool flat = first.section && scene.view.look.mode == ViewMode::figure;
     const std::optional<Snapshot> shown = shown_snapshot(first, scene.view);
-    const OverlayScene on{scene,         first, shown ? *shown : first, flat, style.camera_moves,
-                          style.end_time};
+    const OverlayScene on{
+        scene,          first,          shown ? *shown : first, flat, style.camera_moves,
+        style.end_time, style.time_note};
     for (std::size_t number = 0; number < overlays.size(); ++number) {
         if (!overlays[number].show) continue;
         // A colour bar's, a plot's and a map's colours mean something.

@@ -19,6 +19,7 @@ struct OverlayStyle {
     /// The time up to which frames go, where that is known.
     std::optional<double> end_time{};
     double under = 0.0;  ///< pixels along the upper edge that something else stands on
+    TimeNote time_note = TimeNote::none;
 };
 
 /// Where an overlay stands.

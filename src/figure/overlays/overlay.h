@@ -18,6 +18,10 @@
 
 namespace fumon {
 
+/// What a time plate says beside the time: that frames show records of a run until the next one
+/// comes, or what changes evenly between two of them.
+enum class TimeNote { none, held, blended };
+
 /// What overlays are made for: the frames of a scene, which outlives them.
 struct OverlayScene {
     const Scene& scene;
@@ -27,6 +31,7 @@ struct OverlayScene {
     bool camera_moves = false;  ///< as frames say, see OverlayFrame
     /// The time up to which frames go, where that is known.
     std::optional<double> end_time{};
+    TimeNote time_note = TimeNote::none;
 };
 
 /// One frame, for what stands over it.

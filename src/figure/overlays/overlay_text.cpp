@@ -247,12 +247,14 @@ std::unique_ptr<Overlay> make_title_overlay(const OverlayScene& on, std::size_t 
 }
 
 std::unique_ptr<Overlay> make_time_overlay(const OverlayScene& on, std::size_t number) {
-    if (on.first.date)
-        return std::make_unique<TextOverlay>(on, number, chosen_text(on, number, "{date}"), 1.0,
-                                             false);
     const bool steps_only = on.first.time_unit == "steps";
-    const std::string usual = steps_only ? word("step {step}") : word("t = {time},  step {step}");
-    return std::make_unique<TextOverlay>(on, number, chosen_text(on, number, usual), 1.0, false);
+    const std::string usual = on.first.date ? "{date}"
+                              : steps_only  ? word("step {step}")
+                                            : word("t = {time},  step {step}");
+    std::string text = chosen_text(on, number, usual);
+    if (on.time_note == TimeNote::held) text += "\n" + word("held between records");
+    if (on.time_note == TimeNote::blended) text += "\n" + word("blended between records");
+    return std::make_unique<TextOverlay>(on, number, text, 1.0, false);
 }
 
 /// The values of overlay.keys in a line, which breaks where it is wider than half of the picture.

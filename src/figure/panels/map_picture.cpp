@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "base/elementary_power.h"
@@ -199,14 +198,10 @@ const char* usual_palette(Colouring colour_by) {
 
 std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const Snapshot> snapshots,
                                      const Snapshot& first, const RangeTails& tails) {
-    std::pair<double, double> range{std::numeric_limits<double>::max(),
-                                    std::numeric_limits<double>::lowest()};
     std::vector<Field<float>> coloured;
-    for (const Snapshot& snapshot : snapshots) {
+    for (const Snapshot& snapshot : snapshots)
         coloured.push_back(coloured_values(look, snapshot, first));
-        const auto [low, high] = colour_range(look, snapshot, coloured.back(), tails);
-        range = {std::min(range.first, low), std::max(range.second, high)};
-    }
+    const std::pair<double, double> range = joined_colour_range(look, snapshots, coloured, tails);
     std::vector<MapPicture> pictures;
     for (std::size_t k = 0; k < snapshots.size(); ++k) {
         const Snapshot& snapshot = snapshots[k];

@@ -56,6 +56,8 @@ inline constexpr std::array english_words = std::to_array<std::string_view>({
     "step {}",
     "step {}, {}",
     "t = {time},  step {step}",
+    "held between records",
+    "blended between records",
     "step {step}",
     // captions
     "All: ",

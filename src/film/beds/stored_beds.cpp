@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -308,6 +309,27 @@ Snapshot StoredBeds::read(std::size_t number, const Snapshot& outline) const {
 
 std::shared_ptr<const Snapshot> StoredBeds::snapshot(std::size_t number) const {
     return kept_or(kept_, number, first_, [&] { return read(number, first_); });
+}
+
+std::shared_ptr<const Snapshot> StoredBeds::snapshot(const RecordPlace& place) const {
+    if (place.share <= 0.0 || place.next == place.bed) return snapshot(place.bed);
+    const auto known = std::ranges::find(blended_, place, &Blended::place);
+    if (known != blended_.end()) return known->snapshot;
+    if (blended_.size() >= 2) blended_.erase(blended_.begin());
+    // What lies between the same two is read once.
+    const bool goes_on = !blended_.empty() && blended_.back().place.bed == place.bed &&
+                         blended_.back().place.next == place.next;
+    const auto one = goes_on ? blended_.back().one : snapshot(place.bed);
+    const auto other = goes_on ? blended_.back().other : snapshot(place.next);
+    blended_.push_back(
+        {place, one, other, std::make_shared<const Snapshot>(blended(*one, *other, place.share))});
+    return blended_.back().snapshot;
+}
+
+std::int64_t StoredBeds::step_at(const RecordPlace& place) const {
+    const std::int64_t from = beds_.at(place.bed).step;
+    const auto way = static_cast<double>(beds_.at(place.next).step - from);
+    return from + std::llround(place.share * way);
 }
 
 std::shared_ptr<const Snapshot> StoredBeds::heights(std::size_t number) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/snapshot.h"
+#include "film/beds/blended_bed.h"
 #include "foreign/foreign_run.h"
 #include "measure/measured_rows.h"
 #include "run/prepared_run.h"
@@ -79,6 +80,10 @@ class StoredBeds {
     /// The snapshot of a bed by its number; the last few are kept. Throws InputError for a damaged
     /// file.
     [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::size_t number) const;
+    /// What lies at a place among the beds, see blended(); the last two are kept.
+    [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(const RecordPlace& place) const;
+    /// The step there, to the nearest.
+    [[nodiscard]] std::int64_t step_at(const RecordPlace& place) const;
     /// The same with its bed alone: no fields, numbers or air, most of what reading takes.
     [[nodiscard]] std::shared_ptr<const Snapshot> heights(std::size_t number) const;
 
@@ -98,6 +103,13 @@ class StoredBeds {
   private:
     struct Kept {
         std::size_t number = 0;
+        std::shared_ptr<const Snapshot> snapshot;
+    };
+    /// What lies at a place, between one and other.
+    struct Blended {
+        RecordPlace place;
+        std::shared_ptr<const Snapshot> one;
+        std::shared_ptr<const Snapshot> other;
         std::shared_ptr<const Snapshot> snapshot;
     };
 
@@ -123,6 +135,7 @@ class StoredBeds {
     mutable std::optional<Snapshot> bare_;  ///< the first one without what heights() leaves out
     mutable std::vector<Kept> kept_;
     mutable std::vector<Kept> kept_heights_;
+    mutable std::vector<Blended> blended_;  ///< the frame that is drawn, and the next one
 };
 
 }  // namespace fumon

@@ -168,6 +168,7 @@ BedClock::BedClock(const Film& film, std::size_t number, const StoredBeds& beds)
         // From 1 on, the first steps of a run that starts at 0, or before it, included.
         const double before = std::min(0.0, values.front());
         for (double& place : places_) place = elementary::log(1.0 + place - before);
+        logarithmic_ = true;
     } else if (shot.pace == Pace::change) {
         const double low = std::min(from, to);
         const double high = std::max(from, to);
@@ -193,11 +194,34 @@ BedClock::BedClock(const Film& film, std::size_t number, const StoredBeds& beds)
     begin_ = place_of(from, values, places_);
     end_ = place_of(to, values, places_);
     eased_ = shot.pace == Pace::eased;
+    blends_ = film.settings.between == RecordsBetween::blend;
+}
+
+double BedClock::passed_to(double share) const {
+    const double passed = eased_ ? eased(share) : std::clamp(share, 0.0, 1.0);
+    return (1.0 - passed) * begin_ + passed * end_;
+}
+
+/// What changes evenly with the run's time between two beds.
+double BedClock::value_at(double place) const {
+    return logarithmic_ ? elementary::exp(place) : place;
+}
+
+RecordPlace BedClock::place_at(double share) const {
+    const double place = passed_to(share);
+    const auto after =
+        static_cast<std::size_t>(std::ranges::lower_bound(places_, place) - places_.begin());
+    const bool on_one = after == 0 || after == places_.size() || places_[after] == place;
+    if (!blends_ || on_one) {
+        const std::size_t bed = bed_at(share);
+        return {bed, bed, 0.0};
+    }
+    const double from = value_at(places_[after - 1]);
+    return {after - 1, after, (value_at(place) - from) / (value_at(places_[after]) - from)};
 }
 
 std::size_t BedClock::bed_at(double share) const {
-    const double passed = eased_ ? eased(share) : std::clamp(share, 0.0, 1.0);
-    const double place = (1.0 - passed) * begin_ + passed * end_;
+    const double place = passed_to(share);
     const auto after =
         static_cast<std::size_t>(std::ranges::lower_bound(places_, place) - places_.begin());
     if (after == 0) return 0;
@@ -206,11 +230,11 @@ std::size_t BedClock::bed_at(double share) const {
 }
 
 std::size_t BedClock::earliest() const {
-    return std::min(bed_at(0.0), bed_at(1.0));
+    return std::min(place_at(0.0).bed, place_at(1.0).bed);
 }
 
 std::size_t BedClock::latest() const {
-    return std::max(bed_at(0.0), bed_at(1.0));
+    return std::max(place_at(0.0).next, place_at(1.0).next);
 }
 
 }  // namespace fumon

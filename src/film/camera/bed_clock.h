@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "film/beds/blended_bed.h"
 #include "film/beds/stored_beds.h"
 #include "film/script/film.h"
 
@@ -32,16 +33,24 @@ class BedClock {
     /// The number of the stored bed at a share of the shot, 0 … 1: the one nearest to what the
     /// shot's pace says.
     [[nodiscard]] std::size_t bed_at(double share) const;
+    /// What is drawn at a share of the shot: that bed, or with film.between = "blend" the place
+    /// between two of them that the pace says.
+    [[nodiscard]] RecordPlace place_at(double share) const;
 
     /// The first and the last bed that it shows, in the order of the run.
     [[nodiscard]] std::size_t earliest() const;
     [[nodiscard]] std::size_t latest() const;
 
   private:
+    [[nodiscard]] double passed_to(double share) const;
+    [[nodiscard]] double value_at(double place) const;
+
     std::vector<double> places_;  ///< of all stored beds on the scale that passes evenly
     double begin_ = 0.0;          ///< on that scale
     double end_ = 0.0;
+    bool logarithmic_ = false;
     bool eased_ = false;
+    bool blends_ = false;
 };
 
 }  // namespace fumon

@@ -22,6 +22,7 @@ class StagedShot {
     StagedShot(const Film& film, std::size_t shot, const FilmStage& stage, const FilmRuns& runs);
 
     [[nodiscard]] std::size_t bed_at(double share) const { return clock_.bed_at(share); }
+    [[nodiscard]] RecordPlace place_at(double share) const { return clock_.place_at(share); }
     /// The share of the shot, not of the way.
     [[nodiscard]] CameraPose pose_at(double share) const;
     [[nodiscard]] const BedClock& clock() const { return clock_; }

@@ -41,6 +41,9 @@ enum class CardPosition { start, end };
 enum class CardBackground { picture, dark, blurred };
 enum class Plates { translucent, none };
 
+/// What a film shows of the time between two stored beds.
+enum class RecordsBetween { held, blend };
+
 /// What stands behind the bed.
 enum class FilmBackground { scene, transparent };
 
@@ -69,6 +72,7 @@ struct FilmSettings {
     double cap_height = 28.0;        ///< of captions, pixels where the shorter side has 1080
     Plates plates = Plates::translucent;
     FilmBackground background = FilmBackground::scene;
+    RecordsBetween between = RecordsBetween::held;
     double poster_second = -1.0;  ///< below 0: the middle
     bool draft = false;           ///< coarser ground, encoded quickly
     double frames_for_one = 1.0;  ///< of the film, for each of a draft's

@@ -58,6 +58,12 @@ void list_film(FilmSettings& film, KeyTable& table) {
           "nothing: the block alone, with alpha where the format has it, elsewhere on white"}},
         {.help = "what stands behind the bed; alpha have poster, sheet, " +
                  transparent_format_names()});
+    table.choice("film.between", film.between,
+                 {{RecordsBetween::held, "held", "the nearest one, as it was stored"},
+                  {RecordsBetween::blend, "blend",
+                   "heights, water and colours that change evenly from one to the next, which no "
+                   "model computed; the time plate says so"}},
+                 {.help = "what is drawn at a time between two stored beds"});
     table.real("film.poster_second", film.poster_second,
                {.unit = "s",
                 .range = {-1, 86400},

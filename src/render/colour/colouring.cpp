@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/elementary.h"
@@ -158,9 +160,9 @@ bool ranges_by_values(const LookSettings& look) {
 
 namespace {
 
-/// The ends of the range, in no order where the values do not differ.
-std::pair<double, double> ends_of_values(const LookSettings& look, const Snapshot& snapshot,
-                                         const Field<float>& values, const RangeTails& tails) {
+/// The values of the cells that are coloured.
+std::vector<float> known_values(const LookSettings& look, const Snapshot& snapshot,
+                                const Field<float>& values) {
     std::vector<float> known;
     known.reserve(values.size());
     const bool by_field = colours_field(look.colour_by);  // whose gaps are NaN among the values
@@ -169,6 +171,12 @@ std::pair<double, double> ends_of_values(const LookSettings& look, const Snapsho
         if (!without.empty() && without.values()[i] != 0) continue;
         if (!std::isnan(values.values()[i])) known.push_back(values.values()[i]);
     }
+    return known;
+}
+
+/// The ends of the range, in no order where the values do not differ.
+std::pair<double, double> ends_of_known(const LookSettings& look, std::vector<float> known,
+                                        const RangeTails& tails) {
     double low = percentile(known, tails.low);
     double high = percentile(known, 1.0 - tails.high);
     if (look.colour_by == Colouring::slope) low = 0.0;
@@ -181,17 +189,40 @@ std::pair<double, double> ends_of_values(const LookSettings& look, const Snapsho
     return {low, high};
 }
 
+std::pair<double, double> ends_of_values(const LookSettings& look, const Snapshot& snapshot,
+                                         const Field<float>& values, const RangeTails& tails) {
+    return ends_of_known(look, known_values(look, snapshot, values), tails);
+}
+
+/// Of a flat bed, any range that holds its one value in the middle.
+std::pair<double, double> widened(std::pair<double, double> ends) {
+    if (ends.second > ends.first) return ends;
+    const double middle = 0.5 * (ends.first + ends.second);
+    return {middle - 0.5, middle + 0.5};
+}
+
 }  // namespace
 
 std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
                                        const Field<float>& values, const RangeTails& tails) {
     if (!look.low.is_word() && !look.high.is_word()) return {look.low.value, look.high.value};
-    const auto [low, high] = ends_of_values(look, snapshot, values, tails);
-    if (!(high > low)) {  // a flat bed: any range that holds its one value in the middle
-        const double middle = 0.5 * (low + high);
-        return {middle - 0.5, middle + 0.5};
+    return widened(ends_of_values(look, snapshot, values, tails));
+}
+
+std::pair<double, double> joined_colour_range(const LookSettings& look,
+                                              std::span<const Snapshot> snapshots,
+                                              std::span<const Field<float>> values,
+                                              const RangeTails& tails) {
+    if (!look.low.is_word() && !look.high.is_word()) return {look.low.value, look.high.value};
+    std::optional<std::pair<double, double>> joined;
+    for (std::size_t k = 0; k < snapshots.size(); ++k) {
+        std::vector<float> known = known_values(look, snapshots[k], values[k]);
+        if (known.empty()) continue;
+        const auto [low, high] = ends_of_known(look, std::move(known), tails);
+        joined = joined ? std::pair{std::min(joined->first, low), std::max(joined->second, high)}
+                        : std::pair{low, high};
     }
-    return {low, high};
+    return joined ? widened(*joined) : colour_range(look, snapshots.front(), values.front(), tails);
 }
 
 FrameColourRange frame_colour_range(const LookSettings& look, const Snapshot& snapshot,

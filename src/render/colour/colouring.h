@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -52,6 +53,13 @@ struct RangeTails {
 /// Natural colouring has the range of height.
 std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
                                        const Field<float>& values, const RangeTails& tails = {});
+
+/// The same of several snapshots, at least one, that have one range: the least that holds those of
+/// all. A snapshot of one value widens it by that value alone, one without any by nothing.
+std::pair<double, double> joined_colour_range(const LookSettings& look,
+                                              std::span<const Snapshot> snapshots,
+                                              std::span<const Field<float>> values,
+                                              const RangeTails& tails = {});
 
 /// Whether look.low or look.high is left to the values that are coloured.
 bool ranges_by_values(const LookSettings& look);

@@ -97,6 +97,29 @@ TEST(ColourRange, FollowsWhatIsColoured) {
     EXPECT_EQ(range_of(look, first, first), (std::pair{-3.0, 8.0}));
 }
 
+// A record that is flat, or dry, says nothing of how wide the colours of several maps are.
+TEST(ColourRange, OfSeveralMapsTakesAFlatOneByItsValueAlone) {
+    Snapshot flat = wavy_bed(80, 60);
+    for (double& height : flat.bed.values()) height = 0.25;
+    Snapshot gentle = flat;
+    for (std::size_t i = 0; i < gentle.bed.size(); ++i)
+        gentle.bed.values()[i] = i % 2 == 0 ? 0.0 : 0.125;
+    Snapshot empty = flat;
+    empty.nodata = Mask(80, 60);
+    for (std::uint8_t& none : empty.nodata.values()) none = 1;
+    LookSettings look;
+    look.colour_by = Colouring::height;
+    const auto range = [&](const std::vector<Snapshot>& snapshots) {
+        std::vector<Field<float>> values;
+        for (const Snapshot& snapshot : snapshots)
+            values.push_back(coloured_values(look, snapshot, flat));
+        return joined_colour_range(look, snapshots, values);
+    };
+    EXPECT_EQ(range({flat, gentle, empty}), (std::pair{0.0, 0.25}));
+    EXPECT_EQ(range({flat, flat}), (std::pair{-0.25, 0.75}));
+    EXPECT_EQ(range({gentle}), range_of(look, gentle, flat));
+}
+
 FrameColourRange colours_of(const LookSettings& look, const Snapshot& snapshot,
                             const FrameColourRange& previous, bool keeps) {
     return frame_colour_range(look, snapshot, coloured_values(look, snapshot, snapshot), previous,
