@@ -219,13 +219,9 @@ void SurroundingPlain::lead_over(Grid& tile, const Mask& outside, const Mask& be
 /// Water that leaves the bed runs on as deep as it leaves, along the way down. All other ground is
 /// as damp as the bed's edge is on average where no stream or lake lies, and deeper water at the
 /// edge gives way to that within a few cells.
-void SurroundingPlain::add_water(const Snapshot& snapshot, Snapshot& maps) const {
-    const Mask outside = outside_of(snapshot.nodata);
-    Mask inside(nx_, ny_);
-    for (std::size_t i = 0; i < inside.size(); ++i)
-        inside.values()[i] = outside.values()[i] == 0 ? 1 : 0;
-    const Field<float> away = distances_to(inside);
-    const Field<float> within = distances_to(outside);
+void SurroundingPlain::add_water(const Snapshot& snapshot, const Surroundings& all,
+                                 Snapshot& maps) const {
+    const auto inside = [&](std::size_t cell) { return all.outside.values()[cell] == 0; };
     const Grid depth = in_tile(*field_of(snapshot.fields, "water_depth"));
     const Grid along_x = in_tile(*field_of(snapshot.fields, "velocity_x"));
     const Grid along_y = in_tile(*field_of(snapshot.fields, "velocity_y"));
@@ -234,11 +230,11 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, Snapshot& maps) const
     const double closed = closed_depth(snapshot.scale);
     double damp = 0.0;  // as the dampness of ground goes with the depth: by its root
     std::size_t edge = 0;
-    for (std::size_t i = 0; i < inside.size(); ++i) {
-        if (inside.values()[i] == 0) continue;
+    for (std::size_t i = 0; i < stream.size(); ++i) {
+        if (!inside(i)) continue;
         const double deep = std::max(depth.values()[i], 0.0);
         if (deep < least_stream * closed) {
-            if (within.values()[i] > 1.5F) continue;
+            if (all.edge.values()[i] < 2) continue;
             damp += std::sqrt(std::min(deep / closed, 1.0));
             ++edge;
             continue;
@@ -247,7 +243,7 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, Snapshot& maps) const
         for (std::int32_t cell = downstream_.values()[i]; cell != FlowRouting::outlet;
              cell = downstream_.values()[static_cast<std::size_t>(cell)]) {
             const auto at = static_cast<std::size_t>(cell);
-            if (inside.values()[at] != 0 || stream.values()[at] >= deep) break;
+            if (inside(at) || stream.values()[at] >= deep) break;
             stream.values()[at] = deep;
             speed.values()[at] = fast;
         }
@@ -260,13 +256,14 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, Snapshot& maps) const
             for (int y = 0; y < ny_; ++y) {
                 for (int x = 0; x < nx_; ++x) {
                     field.values(nx_ + x, y) = far;
-                    if (inside(x, y) == 0) field.values(x, y) = value(x, y, field.values(x, y));
+                    if (all.outside(x, y) != 0)
+                        field.values(x, y) = value(x, y, field.values(x, y));
                 }
             }
         }
     };
     const auto share = [&](int x, int y) {
-        return smooth_step(-ends_within, -0.5, -static_cast<double>(away(x, y)));
+        return smooth_step(-ends_within, -0.5, -static_cast<double>(all.away(x, y)));
     };
     const double far_depth = sea_ ? std::max(*sea_ - level_, film) : film;
     set("water_depth", far_depth, [&](int x, int y, double continued) {
@@ -297,7 +294,7 @@ std::function<Grid(double from, double until)> SurroundingPlain::rain_over_tile(
     return [this, rain = snapshot.rain, nodata = snapshot.nodata](double from, double until) {
         Grid fallen = rain(from, until);
         if (fallen.size() == 1) return fallen;
-        const Grid maps = continued(fallen, surroundings(nodata));
+        const Grid maps = continued(fallen, *surroundings(nodata));
         Grid tile(nx_, ny_);
         for (int y = 0; y < ny_; ++y) std::copy_n(maps.row(y).begin(), nx_, tile.row(y).begin());
         return tile;

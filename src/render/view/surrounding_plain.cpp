@@ -169,6 +169,8 @@ SurroundingPlain::SurroundingPlain(const Snapshot& first, WorkerPool& pool)
     make_relief(heights, outside, depth, pool);
     const bool land = first.landform == Landform::terrain || first.landform == Landform::water;
     if (land && first.bed.ny() > 1) make_land(first, outside);
+    nodata_ = first.nodata;
+    surroundings_ = surroundings(nodata_);
 }
 
 Mask SurroundingPlain::outside_of(const Mask& nodata) const {
@@ -230,7 +232,8 @@ void SurroundingPlain::make_relief(const Grid& heights, const Mask& outside,
         known.values()[i] = outside.values()[i] == 0 ? 1.0 : 0.0;
         if (outside.values()[i] != 0) extended.values()[i] = level_;
     }
-    fill_in_tension(extended, between_bed_and_plain(outside));
+    const TensionSurface between(between_bed_and_plain(outside));
+    between.fill(extended);
     const Grid broad = smoothed(extended, Grid(nx_, ny_, 1.0), largest);
     relief_ = Grid(nx_, ny_);
     Grid squares(nx_, ny_);
@@ -266,7 +269,7 @@ void SurroundingPlain::make_relief(const Grid& heights, const Mask& outside,
         double& rough = squares.values()[i];
         rough = outside.values()[i] == 0 ? std::clamp(rough - usual, -most_rough, most_rough) : 0.0;
     }
-    fill_in_tension(squares, between_bed_and_plain(outside));
+    between.fill(squares);
     for (double& rough : squares.values())
         rough = elementary::exp(std::clamp(rough, -most_rough, most_rough));
     roughness_ = std::move(squares);
@@ -279,16 +282,26 @@ void SurroundingPlain::make_relief(const Grid& heights, const Mask& outside,
     for (double& height : relief_.values()) height *= scale;
 }
 
-SurroundingPlain::Surroundings SurroundingPlain::surroundings(const Mask& nodata) const {
-    Surroundings all{outside_of(nodata), {}, {}};
-    all.between = between_bed_and_plain(all.outside);
-    all.depth = distances_to(all.outside);
-    return all;
+std::shared_ptr<const SurroundingPlain::Surroundings> SurroundingPlain::surroundings(
+    const Mask& nodata) const {
+    if (surroundings_ && nodata == nodata_) return surroundings_;
+    const Mask outside = outside_of(nodata);
+    Mask inside = outside;
+    for (std::uint8_t& cell : inside.values()) cell = cell == 0 ? 1 : 0;
+    Mask edge(nx_, ny_);
+    const Field<float> depth = distances_to(outside);
+    for (std::size_t i = 0; i < edge.size(); ++i) {
+        if (inside.values()[i] == 0 || depth.values()[i] > 2.0F) continue;
+        edge.values()[i] = depth.values()[i] > 1.5F ? 1 : 2;
+    }
+    return std::make_shared<const Surroundings>(
+        Surroundings{outside, std::move(edge), distances_to(inside),
+                     TensionSurface(between_bed_and_plain(outside))});
 }
 
 /// Of any field but the heights: what it has at the bed's edge runs out into its mean there.
 Grid SurroundingPlain::continued(const Grid& field, const Surroundings& all) const {
-    const auto& [outside, between, depth] = all;
+    const Mask& outside = all.outside;
     Grid tile = in_tile(field);
     for (double& value : tile.values())
         if (!std::isfinite(value)) value = 0.0;  // a gap in a concentration
@@ -300,14 +313,14 @@ Grid SurroundingPlain::continued(const Grid& field, const Surroundings& all) con
         if (outside.values()[i] != 0) continue;
         low = std::min(low, tile.values()[i]);
         high = std::max(high, tile.values()[i]);
-        if (depth.values()[i] > 2.0F) continue;
+        if (all.edge.values()[i] == 0) continue;
         sum += tile.values()[i];
         ++count;
     }
     const double mean = count > 0 ? sum / static_cast<double>(count) : 0.0;
     for (std::size_t i = 0; i < tile.size(); ++i)
         if (outside.values()[i] != 0) tile.values()[i] = mean;
-    fill_in_tension(tile, between);
+    all.between.fill(tile);
     Grid maps(2 * nx_, ny_, mean);
     for (int y = 0; y < ny_; ++y)
         std::ranges::transform(tile.row(y), maps.row(y).begin(), [&](double value) {
@@ -318,7 +331,8 @@ Grid SurroundingPlain::continued(const Grid& field, const Surroundings& all) con
 
 Snapshot SurroundingPlain::around(const Snapshot& snapshot, WorkerPool& pool,
                                   std::string_view coloured) const {
-    const Surroundings all = surroundings(snapshot.nodata);
+    const std::shared_ptr<const Surroundings> kept = surroundings(snapshot.nodata);
+    const Surroundings& all = *kept;
     const Mask& outside = all.outside;
     const Grid heights = in_tile(snapshot.bed);
     Grid ground = own_;
@@ -346,7 +360,7 @@ Snapshot SurroundingPlain::around(const Snapshot& snapshot, WorkerPool& pool,
     maps.fields.resize(drawn.size());
     // The heights first, then each of the fields.
     pool.for_ranges(1 + static_cast<int>(drawn.size()), [&](int begin, int end) {
-        if (begin == 0 && misses) fill_in_tension(missing, all.between);
+        if (begin == 0 && misses) all.between.fill(missing);
         for (int i = std::max(begin, 1); i < end; ++i) {
             const auto k = static_cast<std::size_t>(i - 1);
             maps.fields[k] = {drawn[k]->name, drawn[k]->long_name, drawn[k]->unit,
@@ -369,19 +383,17 @@ Snapshot SurroundingPlain::around(const Snapshot& snapshot, WorkerPool& pool,
                 if (outside(x, y) == 0) values(x, y) = known(x, y);
         maps.fields.push_back({field->name, field->long_name, field->unit, std::move(values)});
     }
-    if (is_drained() && has_water(snapshot)) add_water(snapshot, maps);
+    if (is_drained() && has_water(snapshot)) add_water(snapshot, all, maps);
     return maps;
 }
 
 Field<std::uint8_t> SurroundingPlain::invented_share(const Snapshot& first) const {
     constexpr double fades_within = 12.0;  // cells
-    Mask inside = outside_of(first.nodata);
-    for (std::uint8_t& cell : inside.values()) cell = cell == 0 ? 1 : 0;
-    const Field<float> away = distances_to(inside);
+    const std::shared_ptr<const Surroundings> all = surroundings(first.nodata);
     Field<std::uint8_t> share(2 * nx_, ny_, 255);
     for (int y = 0; y < ny_; ++y) {
         for (int x = 0; x < nx_; ++x) {
-            const double far = inside(x, y) != 0 ? 0.0 : static_cast<double>(away(x, y));
+            const double far = all->outside(x, y) == 0 ? 0.0 : static_cast<double>(all->away(x, y));
             share(x, y) =
                 static_cast<std::uint8_t>(255.0 * smooth_step(0.0, fades_within, far) + 0.5);
         }

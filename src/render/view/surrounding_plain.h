@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string_view>
 
 #include "base/grid.h"
 #include "base/snapshot.h"
+#include "numerics/tension_surface.h"
 #include "render/view/block.h"
 #include "scene/scene.h"
 
@@ -68,12 +70,13 @@ class SurroundingPlain {
   private:
     /// Of the cells of a tile.
     struct Surroundings {
-        Mask outside;        ///< of the bed
-        Mask between;        ///< bed and plain
-        Field<float> depth;  ///< within the bed
+        Mask outside;            ///< of the bed
+        Mask edge;               ///< 1 within 2 cells of the bed's edge, 2 within 1.5, on the bed
+        Field<float> away;       ///< from the bed, cells
+        TensionSurface between;  ///< bed and plain
     };
 
-    [[nodiscard]] Surroundings surroundings(const Mask& nodata) const;
+    [[nodiscard]] std::shared_ptr<const Surroundings> surroundings(const Mask& nodata) const;
     [[nodiscard]] bool inside(int x, int y, const Mask& nodata) const;
     [[nodiscard]] Mask outside_of(const Mask& nodata) const;
     [[nodiscard]] Grid in_tile(const Grid& field) const;
@@ -90,7 +93,7 @@ class SurroundingPlain {
     void lead_over(Grid& tile, const Mask& outside, const Mask& between) const;
     /// Without features of a few cells.
     [[nodiscard]] Grid broad(const Grid& tile) const;
-    void add_water(const Snapshot& snapshot, Snapshot& maps) const;
+    void add_water(const Snapshot& snapshot, const Surroundings& all, Snapshot& maps) const;
 
     int bed_nx_;
     int bed_ny_;
@@ -103,7 +106,9 @@ class SurroundingPlain {
     Grid relief_;                ///< of a tile of the plain alone
     Grid roughness_;             ///< by which it is multiplied in the bed's tile
     Grid own_;                   ///< of drained land: the bed's tile with the first bed; else empty
-    Field<std::int32_t> downstream_;  ///< of its cells, see FlowRouting
+    Field<std::int32_t> downstream_;                    ///< of its cells, see FlowRouting
+    Mask nodata_;                                       ///< of the first bed
+    std::shared_ptr<const Surroundings> surroundings_;  ///< of a bed with that
 };
 
 }  // namespace fumon
