@@ -181,9 +181,8 @@ Sections sections(const std::string& what) {
     if (!all.empty()) return all;
     const std::vector<std::string> known = described_names();
     throw InputError(
-        fmt::format("fumon describe: \"{}\" is neither \"scene\", \"figure\", \"overlay\", a "
-                    "model, a section nor "
-                    "a key; {}",
+        fmt::format("fumon describe: \"{}\" is neither a file, \"scene\", \"figure\", \"overlay\", "
+                    "a model, a section nor a key; {}",
                     what,
                     nearest_name(what, known).empty() ? "`fumon describe` alone names them all"
                                                       : suggestion(what, known)));

@@ -92,7 +92,8 @@ INSTANTIATE_TEST_SUITE_P(
               "no.asc: does not exist; check the path"},
         Wrong{"unknown_model",
               {"describe", "sant"},
-              "fumon describe: \"sant\" is neither \"scene\", \"figure\", \"overlay\", a model, a "
+              "fumon describe: \"sant\" is neither a file, \"scene\", \"figure\", \"overlay\", a "
+              "model, a "
               "section nor a key; did you mean \"sand\"?"},
         Wrong{"unknown_backend",
               {"still", "a.toml", "-o", "x.png", "--gl", "vulkan"},

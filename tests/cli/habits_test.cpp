@@ -47,12 +47,14 @@ TEST_F(HabitsTest, DescribeTellsOfASectionOrOneKey) {
     EXPECT_EQ(json_of({"describe", "camera", "--json"})[0]["key"], "camera.projection");
     EXPECT_GT(json_of({"describe", "shot", "--json"}).size(), 5U);
     EXPECT_EQ(said({"describe", "camera.azimut"}).errors,
-              "fumon describe: \"camera.azimut\" is neither \"scene\", \"figure\", \"overlay\", a "
+              "fumon describe: \"camera.azimut\" is neither a file, \"scene\", \"figure\", "
+              "\"overlay\", a "
               "model, a section nor a key; did you mean \"camera.azimuth\"?\n");
     EXPECT_EQ(said({"describe", "camra"}).status, 2);
-    EXPECT_EQ(said({"describe", "model.slabs"}).errors,
-              "fumon describe: \"model.slabs\" is neither \"scene\", \"figure\", \"overlay\", a "
-              "model, a section nor a key; `fumon describe` alone names them all\n");
+    EXPECT_EQ(
+        said({"describe", "model.slabs"}).errors,
+        "fumon describe: \"model.slabs\" is neither a file, \"scene\", \"figure\", \"overlay\", a "
+        "model, a section nor a key; `fumon describe` alone names them all\n");
 }
 
 // ---- shipped scenes ----

@@ -195,7 +195,7 @@ void list_shot(Shot& shot, const std::string& path, KeyTable& table) {
          {Pace::logarithmic, "logarithmic", "each second by the same factor"},
          {Pace::eased, "eased", "slowly at both ends"},
          {Pace::change, "change", "the same visible change in every frame"}},
-        {.help = "how the run's time passes; stored beds alone are drawn, the nearest one"});
+        {.help = "how the run's time passes; film.between says what lies between stored beds"});
     table.choice(
         path + ".move", shot.move,
         {{Move::still, "still", "the camera stands"},
