@@ -4,6 +4,7 @@ uniform int tone;        // 0 filmic, 1 AgX, 2 neutral; 3: radiances stay what t
 uniform float punch;     // 1: AgX with more contrast and colour
 uniform float exposure;  // a factor
 uniform float contrast;  // a power around middle grey
+uniform float toe;       // 1: two stops below it and deeper, shade keeps its share of the light
 
 const float largest_radiance = 65000.0;  // that a half can hold, nearly
 
@@ -24,6 +25,13 @@ float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
 const float grey = 0.18;
 
+// The power, of stops from grey, less towards the brightest, which has so much room, and with a toe in shade.
+vec3 contrasted(vec3 stops, float room) {
+    const float shade = 2.0;  // stops
+    vec3 deep = toe * clamp(-stops / shade, 0.0, 1.0);
+    return stops * contrast / (1.0 + (contrast - 1.0) * max(clamp(stops / room, 0.0, 1.0), deep));
+}
+
 // AgX (T. Sobotka, with B. Wrensch's polynomial), in Rec. 2020: bright colours turn pale.
 vec3 agx(vec3 c) {
     const mat3 rec2020_from_srgb = mat3(0.6274, 0.0691, 0.0164, 0.3293, 0.9195, 0.0880, 0.0433, 0.0113, 0.8956);
@@ -37,11 +45,7 @@ vec3 agx(vec3 c) {
     const float lowest = -12.47393;  // stops
     const float highest = 4.026069;
     vec3 x = log2(max(inset * (rec2020_from_srgb * c), vec3(1e-10)));
-    if (contrast != 1.0) {  // which leaves the brightest where it is
-        vec3 above = x - log2(grey);
-        float room = highest - log2(grey);
-        x = log2(grey) + above * contrast / (1.0 + (contrast - 1.0) * clamp(above / room, 0.0, 1.0));
-    }
+    if (contrast != 1.0) x = log2(grey) + contrasted(x - log2(grey), highest - log2(grey));
     x = clamp((x - lowest) / (highest - lowest), 0.0, 1.0);
     x = (((((15.5 * x - 40.14) * x + 31.96) * x - 6.868) * x + 0.4298) * x + 0.1191) * x - 0.00232;
     if (punch > 0.0) {  // its look "punchy"
@@ -78,7 +82,10 @@ vec3 tone_curve(vec3 c) {
     if (tone == 3) return c;
     c *= exposure;
     if (tone == 1) return agx(c);
-    if (contrast != 1.0) c = grey * pow(max(c / grey, vec3(1e-10)), vec3(contrast));
+    if (contrast != 1.0) {
+        vec3 over_grey = max(c / grey, vec3(1e-10));
+        c = grey * (toe > 0.5 ? exp2(contrasted(log2(over_grey), 1e9)) : pow(over_grey, vec3(contrast)));
+    }
     if (tone == 2) return neutral(c);
     return filmic(c);
 }

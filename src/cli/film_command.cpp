@@ -192,7 +192,7 @@ FilmToMake film_by_file(const FilmOptions& options, const Arguments& arguments) 
     std::vector<std::string> settings = colour_settings(options.colour);
     settings.insert(settings.end(), options.work.settings.begin(), options.work.settings.end());
     Film film = parse_film(text.text, file.string(), settings, !again);
-    if (again) film.found_layers = found_layers(filmed_layers(read_film_texts(file)), file);
+    if (again) film.found_layers = found_layers(film, filmed_layers(read_film_texts(file)), file);
     if (!options.colour.empty() && options.colour != "natural") add_colour_bar(film);
     const RunArrangement showing = arrangement_of(film);
     fs::path usual = file.stem().string() + (again ? "-again" : "");

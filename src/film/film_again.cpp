@@ -34,10 +34,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// `layers`: files of the film besides the run's.
-Scene scene_of(const FilmedRun& run, const std::vector<InputFile>& layers,
+Scene scene_of(const FilmedRun& run, const std::vector<LayerRecord>& layers,
                const FilmAgain& wanted) {
     std::vector<InputFile> listed = run.inputs;
-    listed.insert(listed.end(), layers.begin(), layers.end());
+    for (const LayerRecord& layer : layers) listed.push_back(layer.input);
     Scene scene = parse_scene(
         {run.scene, wanted.film.string(), "", wanted.trust, hashes_of(listed), run.version}, {});
     check_limits(scene, 1, scene.run.steps);
@@ -90,7 +90,7 @@ StoredBeds opened_again(const FilmedRun& run, const FilmAgain& wanted, StatusLin
 }
 
 /// Simulates a run into a folder. Nothing when interrupted.
-std::optional<StoredBeds> stored_again(const FilmedRun& run, const std::vector<InputFile>& layers,
+std::optional<StoredBeds> stored_again(const FilmedRun& run, const std::vector<LayerRecord>& layers,
                                        const FilmAgain& wanted, const fs::path& folder) {
     PreparedScene ready = prepare_scene(scene_of(run, layers, wanted));
     check_limits(ready.scene, static_cast<std::int64_t>(ready.initial.bed.size()),
@@ -124,8 +124,8 @@ int make_film_again(const FilmAgain& wanted) {
     const std::vector<FilmedRun> runs = filmed_runs(texts, wanted.film.string());
     const FilmText text = film_text(wanted.film);
     Film film = parse_film(text.text, wanted.film.string(), wanted.work.settings, false);
-    const std::vector<InputFile> layers = filmed_layers(texts);
-    film.found_layers = found_layers(layers, wanted.film);
+    const std::vector<LayerRecord> layers = filmed_layers(texts);
+    film.found_layers = found_layers(film, layers, wanted.film);
     const std::string ending = ending_of(film.settings.format);
     const fs::path usual = wanted.film.stem().string() + "-again" + ending;
     FilmOutput output{wanted.output.empty() ? usual : wanted.output, std::move(film),

@@ -20,6 +20,7 @@ namespace fumon {
 namespace {
 
 constexpr double safe_edge_share = 0.05;   // of the picture's shorter side, kept free of overlays
+constexpr double least_letters = 0.6;      // of what stands over several runs' pictures
 constexpr double pane_letter_ratio = 1.5;  // of letters in a run's picture, of its share
 
 /// A bed just as wide as a narrow pane would leave half of it to sky and table: its corners are cut
@@ -86,11 +87,14 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
       prefetch_(pool.size()) {
     if (layout_.boxes().size() > 1) stage_.overrun = overrun_of_pane(stage_.aspect);
     const double side = static_cast<double>(std::min(size.width, size.height));
-    for (OverlaySettings& overlay : stage_.scene.view.overlays)
-        if (overlay.font_size.is_word())
-            overlay.font_size =
-                std::max(6.0, film.settings.cap_height / cap_height_em * side / usual_side_pixels);
-    keep_clear(safe_edge_share * side);
+    const double letters = film.settings.cap_height / cap_height_em * side / usual_side_pixels;
+    for (OverlaySettings& overlay : stage_.scene.view.overlays) {
+        if (overlay.kind == OverlayKind::colour_bar) overlay.size *= shared_letters();
+        if (!overlay.font_size.is_word()) continue;
+        const double ratio = overlay.kind == OverlayKind::plot ? 1.0 : shared_letters();
+        overlay.font_size = std::max(6.0, ratio * letters);
+    }
+    keep_clear(safe_edge_share * side, facts);
     for (std::size_t i = 0; i < film.shots.size(); ++i) shots_.emplace_back(film, i, stage_, runs);
     for (const StagedShot& shot : shots_)
         if (!shot.note().empty()) notes_.push_back(shot.note());
@@ -121,6 +125,17 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
     titles_ = std::make_unique<Titles>(film, whole, runs.first().first(), facts, timeline_, taken);
     for (const std::string& missing : {titles_->missing_letters(), layout_.missing_letters()})
         if (!missing.empty()) notes_.push_back(missing);
+}
+
+/// The letters of what stands in a run's own picture, as a share of a film's of one run.
+double FilmPainter::pane_letters() const {
+    const double side = static_cast<double>(std::min(size_.width, size_.height));
+    return std::min(1.0, pane_letter_ratio * layout_.shorter_side() / side);
+}
+
+/// Likewise of what stands over several pictures.
+double FilmPainter::shared_letters() const {
+    return layout_.boxes().size() > 1 ? std::max(least_letters, pane_letters()) : 1.0;
 }
 
 /// What each run's part of the picture is drawn with: its own scene under one look.
@@ -205,9 +220,8 @@ void FilmPainter::place_overlays(const FilmSize& size) {
     }
     overlays_ = make(whole_, side, layout_.strip());
     if (!several) return;
-    const double pane_side =
-        static_cast<double>(std::min(layout_.size().width, layout_.size().height));
-    const double smaller = std::min(1.0, pane_letter_ratio * pane_side / side);
+    const double pane_side = layout_.shorter_side();
+    const double smaller = pane_letters();
     for (Pane& pane : panes_) {
         for (OverlaySettings& overlay : pane.scene.view.overlays) {
             if (!is_own(overlay)) overlay.show = false;

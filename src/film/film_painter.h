@@ -105,7 +105,9 @@ class FilmPainter : public FilmFrames {
     [[nodiscard]] std::shared_ptr<const Snapshot> snapshot_of(std::size_t run,
                                                               const Moment& moment) const;
     [[nodiscard]] std::set<Moment> shown_moments() const;
-    void keep_clear(double edge);
+    [[nodiscard]] double pane_letters() const;
+    [[nodiscard]] double shared_letters() const;
+    void keep_clear(double edge, const TitleFacts& facts);
     void stage_panes(const std::vector<Override>& looks);
     void fix_ranges(const std::set<Moment>& shown);
     void note_jumps(const std::set<Moment>& shown);

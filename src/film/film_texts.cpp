@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
@@ -118,23 +119,52 @@ std::vector<FilmedRun> filmed_runs(const FilmTexts& texts, const std::string& fi
                     film, film));
 }
 
-std::string filmed_layers_text(const std::vector<InputFile>& layers) {
-    return json_text(json_of(layers));
-}
-
-std::vector<InputFile> filmed_layers(const FilmTexts& texts) {
-    const std::string text = text_of(texts, layers_keyword);
-    try {
-        return text.empty() ? std::vector<InputFile>() : inputs_of(parse_json(text));
-    } catch (const nlohmann::json::exception&) {
-        return {};
+std::string filmed_layers_text(const std::vector<LayerRecord>& layers) {
+    Json list = Json::array();
+    for (const LayerRecord& layer : layers) {
+        list.push_back(
+            {{"path", layer.input.path}, {"sha256", layer.input.hash}, {"key", layer.key}});
+        if (!layer.from.empty()) list.back()["from"] = layer.from;
     }
+    return json_text(list);
 }
 
-LayerFiles found_layers(const std::vector<InputFile>& layers, const fs::path& film) {
+std::vector<LayerRecord> filmed_layers(const FilmTexts& texts) {
+    const std::string text = text_of(texts, layers_keyword);
+    std::vector<LayerRecord> layers;
+    try {
+        if (text.empty()) return {};
+        for (const auto& item : parse_json(text))
+            layers.push_back({item.value("key", std::string()),
+                              {item.at("path"), item.at("sha256")},
+                              item.value("from", std::string())});
+    } catch (const nlohmann::json::exception&) {
+        layers.clear();
+    }
+    return layers;
+}
+
+LayerFiles found_layers(Film film, const std::vector<LayerRecord>& layers, const fs::path& file) {
     LayerFiles found;
-    for (const InputFile& layer : layers)
-        found[layer.path] = find_input(layer, film, "film").string();
+    for_each_layer(film, [&](const std::string& key, const Override& setting) {
+        if (is_given_now(setting)) return;
+        const std::string written = plain_text(setting);
+        const auto record = std::ranges::find_if(layers, [&](const LayerRecord& layer) {
+            return layer.key.empty() ? layer.input.path == written : layer.key == key;
+        });
+        if (record == layers.end()) return;
+        const auto find = [&](const std::string& path) {
+            found[key] = {find_input({path, record->input.hash}, file, "film").string(),
+                          record->from};
+        };
+        if (!record->from.empty()) {
+            try {
+                return find(record->from);
+            } catch (const InputError&) {  // it may lie where the film says
+            }
+        }
+        find(record->input.path);
+    });
     return found;
 }
 

@@ -9,6 +9,7 @@
 
 #include "film/beds/film_runs.h"
 #include "film/script/film.h"
+#include "film/script/layer_files.h"
 #include "foreign/foreign_run.h"
 #include "scene/initial_bed.h"
 
@@ -38,14 +39,16 @@ FilmTexts read_film_texts(const std::filesystem::path& file);
 std::string filmed_runs_text(const FilmRuns& runs);
 std::vector<FilmedRun> filmed_runs(const FilmTexts& texts, const std::string& film);
 
-/// Writes the text of the files that a film's layers name (fumon:layers), as layer_inputs() lists
-/// them, and reads it; no files where there is none.
-std::string filmed_layers_text(const std::vector<InputFile>& layers);
-std::vector<InputFile> filmed_layers(const FilmTexts& texts);
+/// Writes the text of the files of a film's layers (fumon:layers), and reads it; no files where
+/// there is none.
+std::string filmed_layers_text(const std::vector<LayerRecord>& layers);
+std::vector<LayerRecord> filmed_layers(const FilmTexts& texts);
 
-/// Where those files are, for Film::found_layers. Throws as find_input() where one is missing or
-/// has changed since the film was made.
-LayerFiles found_layers(const std::vector<InputFile>& layers, const std::filesystem::path& film);
+/// Where the files lie that the layers of a film within `file` name, for Film::found_layers; those
+/// that the command line names are left out. Throws as find_input() where one is missing or has
+/// changed since the film was made.
+LayerFiles found_layers(Film film, const std::vector<LayerRecord>& layers,
+                        const std::filesystem::path& file);
 
 /// The size that a film had to fit (fumon:most-bytes); 0: any.
 std::int64_t most_bytes_of(const FilmTexts& texts);

@@ -103,8 +103,9 @@ class FilmMaker {
           facts_{film_.settings.title.empty() ? beds_.scene().title : film_.settings.title, remake},
           pool_(work.threads, "fumon-render"),
           cache_(holds_light(output.file) ? nullptr : cache),
-          painter_(film_frames(film_, runs, facts_, work.backend, pool_, cache_)),
-          layers_(layer_inputs(film_)) {
+          drawn_(with_whole_layer_paths(film_)),
+          painter_(film_frames(drawn_, runs, facts_, work.backend, pool_, cache_)),
+          layers_(layer_records(film_)) {
         if (holds_light(output.file)) check_light(film_, runs);
         for (const std::string& note : painter_->notes()) status.note(note);
         const MovieFormat* format = find_movie_format(film_.settings.format);
@@ -269,6 +270,7 @@ class FilmMaker {
             film.settings.poster_second = static_cast<double>(frame) / film_.settings.rate;
             texts.emplace_back(film_keyword, film_toml(film));
             texts.emplace_back(remake_keyword, facts_.remake);
+            if (!layers_.empty()) texts.emplace_back(layers_keyword, filmed_layers_text(layers_));
             texts.emplace_back("fumon:pixels-sha256", hex(layers_hash(light)));
             texts.emplace_back("fumon:environment", environment());
             write_file(sequence_file(output_.file, frame),
@@ -394,9 +396,10 @@ class FilmMaker {
     TitleFacts facts_;
     WorkerPool pool_;
     PictureCache* cache_;
+    Film drawn_;  ///< the same, with where the files of its layers lie
     std::unique_ptr<FilmFrames> painter_;
-    std::vector<InputFile> layers_;  ///< files of its layers
-    bool open_ = false;              ///< its frames have alpha
+    std::vector<LayerRecord> layers_;  ///< files of its layers
+    bool open_ = false;                ///< its frames have alpha
     Sha256Stream pixels_;
     Stopwatch watch_;
     FramePace pace_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ class Panes {
     /// One for each picture that is drawn: of each run, or of a wipe and a difference.
     [[nodiscard]] const std::vector<PaneBox>& boxes() const { return boxes_; }
     [[nodiscard]] FilmSize size() const { return {boxes_.front().width, boxes_.front().height}; }
+    /// Of one picture.
+    [[nodiscard]] double shorter_side() const {
+        return std::min(boxes_.front().width, boxes_.front().height);
+    }
     /// The height of the strips that hold the labels; 0 of one run.
     [[nodiscard]] double strip() const { return strip_; }
     /// The ground on which the pictures are laid, with their labels.

@@ -211,6 +211,17 @@ Image Titles::card(std::size_t card, double share, const PictureOf& picture) {
     return image;
 }
 
+std::optional<CanvasBox> Titles::caption_box() const {
+    if (captions_.empty()) return std::nullopt;
+    double height = 0.0;
+    double width = 0.0;
+    for (const Placed& placed : captions_) {
+        height = std::max(height, placed.lettering.height());
+        width = std::max(width, placed.lettering.width());
+    }
+    return CanvasBox{0.5 * (width_ - width), bottom_ - height, width, height};
+}
+
 std::string Titles::missing_letters() const {
     for (const Lettering& lettering : cards_)
         if (!lettering.missing_letters().empty()) return lettering.missing_letters();

@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "figure/canvas/canvas.h"
 #include "film/camera/stage.h"
 #include "film/lettering.h"
 #include "film/script/film.h"
@@ -51,6 +53,8 @@ class Titles {
     /// A card that stands before or after the shots, `share` of which has passed. What a blurred
     /// one stands on is asked for once.
     [[nodiscard]] Image card(std::size_t card, double share, const PictureOf& picture);
+    /// Where captions stand; none: there are none.
+    [[nodiscard]] std::optional<CanvasBox> caption_box() const;
     /// One line for the user where no font has a letter; else empty.
     [[nodiscard]] std::string missing_letters() const;
 

@@ -68,16 +68,22 @@ TEST(FilmShot, StandsFartherWhereABlockWouldMeetWhatIsKeptClear) {
     EXPECT_FALSE(hull_meets_box(diamond, {{-0.9, -0.9}, {0.9, -0.51}}));
 
     StagedFilm at("seconds = 1\n");
-    const auto away = [&] { return fit_distance(at.stage, {0.0, 0.0, 0.0}, 180.0, 80.0, 50.0); };
-    const double fitting = away();
-    at.stage.kept_clear = {{{-0.9, -0.99}, {-0.6, -0.98}}};
-    EXPECT_EQ(away(), fitting) << "the block reaches to its sides, not as far down";
-    at.stage.kept_clear = {{{-0.9, -0.9}, {-0.75, -0.3}}};
-    const double clear = away();
-    EXPECT_GT(clear, 1.1 * fitting);
-    EXPECT_LT(clear, 1.4 * fitting);
-    at.stage.kept_clear = {{{-0.1, -0.1}, {0.1, 0.1}}};
-    EXPECT_EQ(away(), fitting) << "in front of the block's middle";
+    CameraPose above;
+    above.eye = fit_distance(at.stage, above.look_at, 180.0, 80.0, 50.0) * towards(180.0, 80.0);
+    const auto moved = [&](const PictureBox& box) {
+        at.stage.kept_clear = {box};
+        return clear_poses(at.stage, {above}).front();
+    };
+    const auto away = [](const CameraPose& pose) { return glm::length(pose.eye - pose.look_at); };
+    EXPECT_EQ(moved({{-0.9, -0.99}, {-0.6, -0.98}}), above)
+        << "the block reaches to its sides, not as far down";
+    EXPECT_EQ(moved({{-0.8, -0.8}, {0.8, 0.8}}), above) << "there is no room";
+    const CameraPose lower = moved({{-0.2, 0.76}, {0.2, 0.9}});
+    EXPECT_EQ(away(lower), away(above)) << "there is room below";
+    EXPECT_GT(project(camera_of(at.stage, above), lower.look_at).y, 0.03);
+    const CameraPose farther = moved({{-0.9, -0.9}, {-0.75, 0.9}});
+    EXPECT_GT(away(farther), 1.02 * away(above));
+    EXPECT_LT(away(farther), 1.4 * away(above));
 }
 
 TEST(FilmShot, SaysThatItsKeysLieInTheGround) {

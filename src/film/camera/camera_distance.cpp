@@ -5,7 +5,6 @@
 
 #include "base/elementary.h"
 #include "base/units.h"
-#include "film/camera/kept_clear.h"
 
 namespace fumon {
 
@@ -48,8 +47,7 @@ double fit_distance(const FilmStage& stage, const glm::dvec3& subject, double az
         least = std::max({least, std::abs(glm::dot(from, right)) / half_x + nearer,
                           std::abs(glm::dot(from, up)) / half_y + nearer});
     }
-    if (stage.kept_clear.empty()) return least;
-    return clear_distance(stage, subject, azimuth, elevation, focal_length, least);
+    return least;
 }
 
 double ground_share(const FilmStage& stage, const Snapshot& bed, const CameraPose& pose) {

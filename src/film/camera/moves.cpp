@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "film/camera/camera_distance.h"
 #include "film/camera/followed.h"
+#include "film/camera/kept_clear.h"
 #include "film/camera/landmarks.h"
 #include "render/view/framing.h"
 
@@ -99,6 +100,22 @@ class ShotPoses {
                 return follow_stream();
         }
         return {standing()};
+    }
+
+    /// Whether all of the block is seen from all poses.
+    [[nodiscard]] bool fit() const {
+        if (shot_.follow || shot_.distance.word != "fit") return false;
+        switch (shot_.move) {
+            case Move::still:
+            case Move::morning_to_evening:
+                return shot_.keys.empty() && !place_;
+            case Move::orbit:
+            case Move::crane:
+            case Move::map_to_perspective:
+                return true;
+            default:
+                return false;
+        }
     }
 
   private:
@@ -371,7 +388,8 @@ class ShotPoses {
 
 std::vector<CameraPose> poses_of(const Film& film, std::size_t shot, const FilmStage& stage,
                                  const StoredBeds& beds, const BedClock& clock) {
-    return ShotPoses(film, shot, stage, beds, clock).make();
+    const ShotPoses poses(film, shot, stage, beds, clock);
+    return poses.fit() ? clear_poses(stage, poses.make()) : poses.make();
 }
 
 }  // namespace fumon

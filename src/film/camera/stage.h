@@ -28,6 +28,7 @@ struct FilmStage {
     double aspect = 1.0;
     double overrun = 0.0;  ///< of its width, by which a bed that "fits" is wider than the picture
     std::vector<PictureBox> kept_clear{};  ///< of which a block that "fits" is seen clear
+    std::vector<PictureBox> captions{};    ///< likewise, where that is possible
     bool repeats = false;  ///< whether its bed is seen to go on past its edges with its other side
     TileWarp copies{};     ///< of such a bed
 };

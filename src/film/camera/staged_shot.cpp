@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "film/camera/kept_clear.h"
 #include "film/camera/moves.h"
 
 namespace fumon {
@@ -57,6 +58,12 @@ StagedShot::StagedShot(const Film& film, std::size_t shot, const FilmStage& stag
       path_(path_of(film, shot, stage, runs, clock_)),
       // What is followed goes its own pace.
       speed_(goes_with_subject(film.shots[shot]) ? CameraSpeed::constant : film.shots[shot].speed) {
+    constexpr const char* covered =
+        "shot {}: what is written over several pictures covers the ground in one of them; take a "
+        "larger film.size, a smaller film.cap_height, fewer overlays, or a longer shot.distance";
+    if (film.shots[shot].distance.word == "fit" && film.shots[shot].keys.empty() &&
+        (is_covered(stage, path_.at(0.0)) || is_covered(stage, path_.at(1.0))))
+        note_ = fmt::format(covered, shot + 1);
     const double upward = stage.block.exaggeration / stage.block.side;
     const double clearance = clearance_of(film.shots[shot], stage);
     if (film.shots[shot].keys.empty() || !(path_.lifted() > clearance)) return;

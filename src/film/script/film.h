@@ -127,8 +127,14 @@ struct Shot {
 
 struct Film;
 
-/// Files of layers, as a film writes them → where they are.
-using LayerFiles = std::map<std::string, std::string>;
+/// Where a layer's file lies, and how it was seen from where a film was made (LayerRecord::from).
+struct FoundLayer {
+    std::string file;
+    std::string from{};
+};
+
+/// Files of layers, by the keys of their settings (for_each_layer()) or as these write them.
+using LayerFiles = std::map<std::string, FoundLayer>;
 
 /// A piece of another film, without its cards and captions.
 struct Excerpt {

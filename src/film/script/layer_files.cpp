@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstddef>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "files/hash.h"
@@ -27,10 +29,36 @@ bool names_layer_file(const Override& setting) {
     return setting.path.starts_with("layer.") && setting.path.ends_with(".file");
 }
 
-fs::path layer_file(const Override& setting, const LayerFiles& found) {
+void for_each_layer(Film& film, const UseLayer& use) {
+    const auto each = [&](std::vector<Override>& looks, const std::string& owner) {
+        for (Override& setting : looks)
+            if (names_layer_file(setting) && !written_file(setting).empty())
+                use(owner + setting.path, setting);
+    };
+    const auto each_of = [&](Film& of, const std::string& owner) {
+        each(of.looks, owner);
+        for (std::size_t i = 0; i < of.shots.size(); ++i)
+            each(of.shots[i].looks, fmt::format("{}shot.{}.", owner, i));
+    };
+    each_of(film, "");
+    for (std::size_t i = 0; i < film.excerpts.size(); ++i) {
+        Excerpt& excerpt = film.excerpts[i];
+        if (!excerpt.read) continue;
+        Film read = *excerpt.read;
+        each_of(read, fmt::format("excerpt.{}.", i));
+        excerpt.read = std::make_shared<const Film>(std::move(read));
+    }
+}
+
+bool is_given_now(const Override& setting) {
+    return setting.place.starts_with("--set");
+}
+
+fs::path layer_file(const Override& setting, const LayerFiles& found, const std::string& key) {
     const std::string written = written_file(setting);
-    if (const auto known = found.find(written); known != found.end()) return known->second;
-    if (setting.place.starts_with("--set")) return written;
+    if (is_given_now(setting)) return fs::absolute(written);
+    for (const std::string& name : {key, written})
+        if (const auto known = found.find(name); known != found.end()) return known->second.file;
     const fs::path film(setting.place.substr(0, setting.place.rfind(':')));
     std::string ending = film.extension().string();
     for (char& letter : ending)
@@ -44,26 +72,32 @@ fs::path layer_file(const Override& setting, const LayerFiles& found) {
     return fs::absolute(film.parent_path() / written);
 }
 
-std::vector<InputFile> layer_inputs(const Film& film) {
-    std::vector<InputFile> inputs;
-    const auto add = [&](const std::vector<Override>& looks) {
-        for (const Override& setting : looks) {
-            if (!names_layer_file(setting)) continue;
-            const std::string written = written_file(setting);
-            const bool listed =
-                std::ranges::find(inputs, written, &InputFile::path) != inputs.end();
-            if (written.empty() || listed) continue;
-            inputs.push_back({written, hex(grid_hash(layer_file(setting, film.found_layers)))});
+std::vector<LayerRecord> layer_records(Film film) {
+    std::vector<LayerRecord> records;
+    for_each_layer(film, [&](const std::string& key, const Override& setting) {
+        const fs::path file = layer_file(setting, film.found_layers, key);
+        const std::string written = written_file(setting);
+        const auto found = film.found_layers.find(key);
+        if (found != film.found_layers.end() && !is_given_now(setting)) {
+            records.push_back({key, {written, hex(grid_hash(file))}, found->second.from});
+            return;
         }
-    };
-    const auto add_all = [&](const Film& of) {
-        add(of.looks);
-        for (const Shot& shot : of.shots) add(shot.looks);
-    };
-    add_all(film);
-    for (const Excerpt& excerpt : film.excerpts)
-        if (excerpt.read) add_all(*excerpt.read);
-    return inputs;
+        const std::string from = file.lexically_relative(fs::current_path()).generic_string();
+        const bool tells = !from.empty() && !from.starts_with("..") && from != written;
+        records.push_back({key, {written, hex(grid_hash(file))}, tells ? from : ""});
+    });
+    return records;
+}
+
+Film with_whole_layer_paths(Film film) {
+    LayerFiles whole;
+    for_each_layer(film, [&](const std::string& key, Override& setting) {
+        const std::string file = layer_file(setting, film.found_layers, key).string();
+        setting.value = file;  // a bare string: no TOML begins with a slash
+        whole[file] = {file};
+    });
+    film.found_layers = std::move(whole);
+    return film;
 }
 
 }  // namespace fumon

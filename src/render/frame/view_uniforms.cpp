@@ -35,6 +35,7 @@ Tone chosen_tone(const LookSettings& look, const Light& light) {
 struct Rendering {
     double contrast = 1.0;
     double stops = 0.0;
+    bool toe = false;  ///< less contrast in shade
 };
 
 /// How far red sand stands out from grey, 0 … 1. A power of each channel deepens its colour too.
@@ -65,7 +66,7 @@ Rendering chosen_rendering(const View& view, const Light& light) {
         std::clamp((high - static_cast<double>(light.to_sun.z)) / (high - low), 0.0, 1.0);
     if (!light.atmosphere || light.stars || view.air.planet != Planet::earth) share = 0.0;
     share *= 1.0 - depth_of_colour(sand_colours(look));
-    return {1.35 + 0.45 * share, look.exposure - 0.5 * share};
+    return {1.35 + 0.45 * share, look.exposure - 0.5 * share, look.contrast.word == "auto"};
 }
 
 /// Where the air is bright enough to matter, for exposure and in the shade.
@@ -121,6 +122,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
          view.camera.has_lens() ? 1.0F : static_cast<float>(view.image.supersampling)},
         {"dithered", switched(kind == PixelFormat::display_8)},
         {"punch", switched(tone == Tone::agx_punchy)},
+        {"toe", switched(chosen_rendering(view, light).toe)},
         {"atmosphere", switched(light.atmosphere)},
         {"studio", switched(light.studio)},
         {"parallel", switched(view.camera.projection != Projection::perspective)},
@@ -165,6 +167,7 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
                                                elementary::exp(std::numbers::ln2 *
                                                                (rendering.stops + light.stops))));
     program.set("contrast", static_cast<float>(rendering.contrast));
+    program.set("toe", switched(rendering.toe));
     program.set("to_sun", light.to_sun);
     program.set("sun_light", light.sun);
     program.set("visible_sun", light.visible_sun);
