@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -200,11 +201,32 @@ TEST_F(ForeignFilm, AMapOfTheFileColoursTheGround) {
 TEST_F(ForeignFilm, AFilmByRuleIsPrintedAndColoured) {
     const Ended printed = run({"film", "flood.nc", "--print", "--colour", "hmax"});
     ASSERT_EQ(printed.status, 0) << printed.errors;
-    for (const char* line : {"colour_by = \"field\"", "field = \"hmax\"", "kind = \"colour-bar\""})
+    for (const char* line : {"title = \"Flood\"", "colour_by = \"field\"", "field = \"hmax\"",
+                             "kind = \"colour-bar\""})
         EXPECT_NE(printed.output.find(line), std::string::npos) << line << "\n" << printed.output;
     write_text(folder_ / "printed.toml", printed.output);
     const Ended checked = run({"check", "printed.toml", "--run", "flood.nc"});
     EXPECT_EQ(checked.status, 0) << checked.errors;
+}
+
+TEST_F(ForeignFilm, AHeapOnAFlatIsWhatAFilmByRuleShows) {
+    const std::string head = "ncols 12\nnrows 8\nxllcorner 0\nyllcorner 0\ncellsize 5\n";
+    for (const int record : {1, 2}) {
+        std::string heights = head;
+        std::string depths = head;
+        for (int y = 0; y < 8; ++y) {
+            for (int x = 0; x < 12; ++x) {
+                const int low = 3 - std::max(std::abs(x - 4 - record), std::abs(y - 4));
+                heights += std::to_string(std::max(0, low)) + " ";
+                depths += "0 ";
+            }
+        }
+        write_text(folder_ / ("sand_" + std::to_string(record) + ".asc"), heights);
+        write_text(folder_ / ("water_" + std::to_string(record) + ".asc"), depths);
+    }
+    const Ended printed = run({"film", "sand_*.asc", "--field", "depth=water_*.asc", "--print"});
+    EXPECT_NE(printed.output.find("# close to the highest"), std::string::npos) << printed.output;
+    EXPECT_EQ(printed.output.find("stream"), std::string::npos) << printed.output;
 }
 
 TEST_F(ForeignFilm, AColouredFilmIsMadeAgainFromItsFile) {

@@ -311,7 +311,7 @@ class RuledFilm {
             if (!crests) shot.set("distance", "\"near\"");
             return shot;
         };
-        if (landform() == Landform::water) {
+        if (landform() == Landform::water && look_.largest == "deepest channel") {
             WrittenShot stream =
                 begun("down the stream that drains most", 0.2, "\"end\"", "\"end\"");
             stream.set("move", "\"follow-stream\"");
