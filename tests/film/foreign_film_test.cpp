@@ -202,7 +202,7 @@ TEST_F(ForeignFilm, AFilmByRuleIsPrintedAndColoured) {
     const Ended printed = run({"film", "flood.nc", "--print", "--colour", "hmax"});
     ASSERT_EQ(printed.status, 0) << printed.errors;
     for (const char* line : {"title = \"Flood\"", "colour_by = \"field\"", "field = \"hmax\"",
-                             "kind = \"colour-bar\""})
+                             "kind = \"colour-bar\"", "text = \"{date}\""})
         EXPECT_NE(printed.output.find(line), std::string::npos) << line << "\n" << printed.output;
     write_text(folder_ / "printed.toml", printed.output);
     const Ended checked = run({"check", "printed.toml", "--run", "flood.nc"});

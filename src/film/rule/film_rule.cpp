@@ -364,7 +364,9 @@ class RuledFilm {
             text += fmt::format(
                 "[[overlay]]\nkind = \"time\"\ncorner = \"upper-left\"\ntext = "
                 "\"{}\"\n\n",
-                first.time_unit == "steps" ? "step {step}" : "{time}");
+                first.date                   ? "{date}"
+                : first.time_unit == "steps" ? "step {step}"
+                                             : "{time}");
         }
         if (first.scale.in_metres && !look_.section)
             text +=
