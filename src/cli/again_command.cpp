@@ -15,7 +15,11 @@
 #include "figure/canvas/figure_metadata.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
+#include "film/beds/results_text.h"
+#include "film/beds/stored_beds.h"
+#include "film/beds/stored_still.h"
 #include "film/film_again.h"
+#include "film/results_again.h"
 #include "outputs/output_claims.h"
 #include "paper/figure_files.h"
 #include "paper/figure_make.h"
@@ -25,9 +29,11 @@
 #include "run/inputs/find_input.h"
 #include "run/picture_text.h"
 #include "run/pipeline.h"
+#include "run/prepared_run.h"
 #include "run/still.h"
 #include "run/terminal/interrupt.h"
 #include "scene/input_maps.h"
+#include "scene/overlay_keys.h"
 #include "scene/read.h"
 #include "scene/scene_files.h"
 #include "scene/trust.h"
@@ -41,7 +47,8 @@ struct AgainOptions {
     std::string output;  ///< empty: NAME-again.png (or .jpg, .exr, .mp4 …) in the working folder
     std::string runs;    ///< of a figure: the folder of finished runs; empty: "runs" beside it
     bool force = false;
-    bool trust = false;  ///< what the picture asks for, without limits
+    bool trust = false;             ///< what the picture asks for, without limits
+    std::vector<std::string> from;  ///< files of other models' results to take
     WorkOptions work;
 };
 
@@ -59,6 +66,13 @@ void declare(CLI::App& command, AgainOptions& options) {
         .add_option("--runs", options.runs,
                     "of a figure: where finished runs are kept (default: runs beside it)")
         ->type_name("FOLDER");
+    command
+        .add_option("--from", options.from,
+                    "of a picture of another model's results: their file, as it is now "
+                    "(of a film, a file a run)")
+        ->type_name("FILE")
+        ->expected(1)
+        ->take_all();
     add_force(command, options.force);
     command.add_flag("--trust", options.trust,
                      "lift the limits on what a picture of unknown origin may ask for");
@@ -67,7 +81,8 @@ void declare(CLI::App& command, AgainOptions& options) {
     add_examples(
         command,
         {{"fumon again dunes.png", "the same picture from itself: dunes-again.png"},
-         {"fumon again dunes.png -o large.png --set image.width=3840", "larger"}},
+         {"fumon again dunes.png -o large.png --set image.width=3840", "larger"},
+         {"fumon again flood.png --from other.nc", "of another file of results"}},
         fmt::format("A picture may come from anyone. Of files it may name only inputs that its "
                     "metadata lists "
                     "with their\nSHA-256, and without --trust it may ask for at most {} cells, {} "
@@ -257,6 +272,27 @@ bool loses(const std::string& ending) {
     return ending == ".jpg" || ending == ".webp";
 }
 
+/// Says what a picture that is drawn again has in common with the first one, of which `before` is
+/// the hash.
+void compare_stills(const std::string& file, const DrawnStill& still, const Sha256& before,
+                    const AgainOptions& options, const PictureOrigin& origin, Progress& progress) {
+    const std::string pixels = hex(still.pixels);
+    const bool other_format = is_exr_name(file) != origin.is_exr ||
+                              picture_format(file) != picture_format("picture" + origin.ending);
+    const bool is_another = !options.work.settings.empty() || !options.from.empty();
+    if (origin.pixels_hash.empty() || other_format || is_another) {
+        progress.note(fmt::format("{}: made", file));
+    } else if (pixels == origin.pixels_hash && loses(origin.ending) && file_hash(file) != before) {
+        progress.note(fmt::format("{}: drawn with the same pixels as {}, encoded otherwise", file,
+                                  options.picture));
+    } else if (pixels == origin.pixels_hash) {
+        progress.note(fmt::format("{}: the same pixels as {}", file, options.picture));
+    } else {
+        progress.note(fmt::format("{}: made, but its pixels differ from {} ({})", file,
+                                  options.picture, why_different(origin, still.environment)));
+    }
+}
+
 int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& work,
                   const PictureOrigin& origin) {
     PreparedRun prepared = prepare(std::move(scene), origin.step, work.threads);
@@ -264,8 +300,6 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
         prepared.initial.inputs = origin.inputs;  // as they were named then
     const fs::path output = output_of(options, origin.ending);
     check_still(prepared.scene, prepared.model->snapshot(), output.string());
-    const bool other_format = is_exr_name(output) != origin.is_exr ||
-                              picture_format(output) != picture_format("picture" + origin.ending);
     claim_output(options, output, scene_files(prepared.scene));
     Progress progress(work.verbosity, static_cast<std::int64_t>(prepared.initial.bed.size()));
     const Snapshot first = prepared.model->snapshot();
@@ -275,29 +309,18 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
     const Sha256 before = file_hash(options.picture);
     const DrawnStill still = draw_still(still_subject(prepared), first, prepared.model->snapshot(),
                                         output.string(), work, progress);
-    const std::string pixels = hex(still.pixels);
-    if (origin.pixels_hash.empty() || other_format || !options.work.settings.empty()) {
-        progress.note(fmt::format("{}: made", output.string()));
-    } else if (pixels == origin.pixels_hash && loses(origin.ending) &&
-               file_hash(output) != before) {
-        progress.note(fmt::format("{}: drawn with the same pixels as {}, encoded otherwise",
-                                  output.string(), options.picture));
-    } else if (pixels == origin.pixels_hash) {
-        progress.note(fmt::format("{}: the same pixels as {}", output.string(), options.picture));
-    } else {
-        progress.note(fmt::format("{}: made, but its pixels differ from {} ({})", output.string(),
-                                  options.picture, why_different(origin, still.environment)));
-    }
+    compare_stills(output.string(), still, before, options, origin, progress);
     return 0;
 }
 
 /// Makes the files that the scene reads those that its metadata lists, as they lie now; a file
-/// given on the command line stays.
+/// given on the command line stays, and so does the bed of other models' results.
 void find_listed(Scene& scene, const PictureOrigin& origin, const std::string& picture) {
     const std::vector<InputKey> keys = input_keys(scene);
     for (std::size_t k = 0; k < keys.size(); ++k) {
         const InputKey& key = keys[k];
         if (scene.set_on_command_line(key.path)) continue;
+        if (key.path == "bed.file" && !origin.results.empty()) continue;
         const InputFile* input = find_by(origin.inputs, &InputFile::path, *key.file);
         if (k < origin.inputs.size() && origin.inputs[k].path == *key.file)
             input = &origin.inputs[k];  // files of two folders may have one name
@@ -317,20 +340,67 @@ void find_listed(Scene& scene, const PictureOrigin& origin, const std::string& p
     }
 }
 
+/// A record of another model's results.
+int results_picture_again(Scene scene, const AgainOptions& options, const WorkOptions& work,
+                          const PictureOrigin& origin) {
+    StatusLine status(work.verbosity);
+    RecordedResults results = recorded_results(origin.results, options.picture);
+    const LookSettings& look = scene.view.look;
+    if (std::vector<std::string>& asked = results.query.scalars;
+        look.colour_by == Colouring::field && std::ranges::count(asked, look.field) == 0)
+        asked.push_back(look.field);
+    const std::string from = options.from.empty() ? "" : options.from.front();
+    const StoredBeds beds =
+        results_again(results, {options.picture, "picture", from, work.threads}, status);
+    const SharedSnapshot snapshot = beds.snapshot(bed_of_step(beds, origin.step));
+    check_limits(scene, static_cast<std::int64_t>(snapshot->bed.size()), 0);
+    InitialBed initial;
+    initial.bed = beds.first().bed;
+    initial.nodata = beds.first().nodata;
+    initial.scale = beds.first().scale;
+    initial.inputs = {beds.inputs().front()};
+    scene.bed.file = initial.inputs.front().path;
+    PreparedScene ready = prepare_scene(std::move(scene), std::move(initial));
+    check_shown(ready.scene, beds.first());
+    std::vector<InputFile>& read = ready.initial.inputs;
+    read.insert(read.end(), beds.inputs().begin() + 1, beds.inputs().end());
+    const bool is_same =
+        std::ranges::equal(read, origin.inputs, {}, &InputFile::hash, &InputFile::hash);
+    if (is_same) read = origin.inputs;  // as they were named then
+    const fs::path output = output_of(options, origin.ending);
+    check_still(ready.scene, *snapshot, output.string());
+    std::vector<fs::path> inputs = beds.files();
+    for (const fs::path& file : scene_files(ready.scene)) inputs.push_back(file);
+    claim_output(options, output, inputs);
+    Progress progress(work.verbosity, static_cast<std::int64_t>(snapshot->bed.size()));
+    const std::vector<MeasuredRows> rows = beds.measurements(plotted_columns(ready.scene));
+    const std::size_t record = bed_of_step(beds, origin.step);
+    const Sha256 before = file_hash(options.picture);
+    const DrawnStill still =
+        draw_still({ready.scene, read, rows[record], is_same ? origin.results : results_text(beds)},
+                   beds.first(), *snapshot, output.string(), work, progress);
+    compare_stills(output.string(), still, before, options, origin, progress);
+    return 0;
+}
+
+void refuse_from(const AgainOptions& options) {
+    if (options.from.empty()) return;
+    throw InputError(fmt::format(
+        "{}: --from belongs to pictures and films of other models' results, and this is none",
+        options.picture));
+}
+
 int perform(const AgainOptions& options) {
     const InterruptGuard guard;
-    if (const FigureMetadata texts = figure_texts(options.picture); is_figure(texts))
+    if (const FigureMetadata texts = figure_texts(options.picture); is_figure(texts)) {
+        refuse_from(options);
         return figure_again(options, read_figure_origin(texts, options.picture));
-    if (is_made_film(options.picture))
-        return make_film_again(
-            {options.picture, options.output, options.force, options.trust, options.work});
-    const PictureOrigin origin = read_origin(options.picture);
-    if (!origin.results.empty()) {
-        throw InputError(fmt::format(
-            "{0}: was drawn of {1}, the results of another model, of which fumon again makes only "
-            "films; draw it by `fumon still {1} --step {2}`",
-            options.picture, origin.results, origin.step));
     }
+    if (is_made_film(options.picture))
+        return make_film_again({options.picture, options.output, options.force, options.trust,
+                                options.from, options.work});
+    const PictureOrigin origin = read_origin(options.picture);
+    if (origin.results.empty() || origin.is_movie) refuse_from(options);
     if (!options.output.empty())
         check_ending(options.output, origin.is_movie ? "a movie" : "a picture",
                      origin.is_movie ? std::span<const std::string_view>(movie_ending)
@@ -343,6 +413,8 @@ int perform(const AgainOptions& options) {
                               read_settings(options.work.settings));
     check_limits(scene, 1, origin.step);
     find_listed(scene, origin, options.picture);
+    if (!origin.results.empty())
+        return results_picture_again(std::move(scene), options, work, origin);
     return origin.is_movie ? movie_again(std::move(scene), options, origin)
                            : picture_again(std::move(scene), options, work, origin);
 }

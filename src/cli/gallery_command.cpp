@@ -14,6 +14,7 @@
 #include "cli/shared_options.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
+#include "film/beds/results_text.h"
 #include "film/beds/stored_beds.h"
 #include "gallery/gallery_page.h"
 #include "outputs/output_claims.h"
@@ -119,8 +120,8 @@ void draw_results(const fs::path& results, const fs::path& picture) {
     const std::vector<MeasuredRows> rows = beds.measurements(plotted_columns(scene));
     stand_on_drawn_ground(scene.view, beds.first(), *snapshot);
     Progress progress(work.verbosity, static_cast<std::int64_t>(snapshot->bed.size()));
-    draw_still({scene, beds.inputs(), rows[last]}, beds.first(), *snapshot, picture.string(), work,
-               progress);
+    draw_still({scene, beds.inputs(), rows[last], results_text(beds)}, beds.first(), *snapshot,
+               picture.string(), work, progress);
 }
 
 int perform(const GalleryOptions& options) {

@@ -10,6 +10,7 @@
 #include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "files/terrain/terrain_format.h"
+#include "film/beds/results_text.h"
 #include "film/beds/stored_beds.h"
 #include "film/beds/stored_still.h"
 #include "foreign/file_numbers.h"
@@ -178,9 +179,7 @@ void draw_stored(const StillOptions& options, const std::string& run) {
                                   snapshot->step, beds.beds()[number].time, *options.time));
     const std::vector<MeasuredRows> rows = beds.measurements(plotted_columns(scene));
     stand_on_drawn_ground(scene.view, beds.first(), *snapshot);
-    const std::string results =
-        beds.foreign() != nullptr ? fs::path(beds.name()).filename().string() : "";
-    draw_still({scene, beds.inputs(), rows[number], results}, beds.first(), *snapshot,
+    draw_still({scene, beds.inputs(), rows[number], results_text(beds)}, beds.first(), *snapshot,
                options.output, options.work, progress);
 }
 

@@ -42,6 +42,16 @@ void bring(VectorLayer& layer, const std::string& to) {
     const GdalSession session;
     const SpatialReference own(layer.crs);
     const SpatialReference bed(to);
+    constexpr double whole_turn = 360.0;
+    const auto is_no_degree = [](double value) { return std::abs(value) > whole_turn; };
+    const auto far = std::ranges::find_if(x, is_no_degree);
+    if (own.understood() && own.is_geographic() && far != x.end()) {
+        throw InputError(
+            fmt::format("has no reference system, or a wrong one: longitudes and latitudes are "
+                        "expected, and its coordinates reach {:.0f}; name the system that they are "
+                        "in (ogr2ogr -a_srs, set_crs of a GeoDataFrame)",
+                        *far));
+    }
     OGRCoordinateTransformationH way =
         own.understood() && bed.understood()
             ? gdal().OCTNewCoordinateTransformation(own.get(), bed.get())

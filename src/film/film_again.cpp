@@ -15,6 +15,7 @@
 #include "film/film_read.h"
 #include "film/film_texts.h"
 #include "film/make_film.h"
+#include "film/results_again.h"
 #include "outputs/output_claims.h"
 #include "run/drawing.h"
 #include "run/inputs/find_input.h"
@@ -67,28 +68,6 @@ class BedWriter : public StepObserver {
     std::vector<StoredBed> beds_;
 };
 
-/// Opens another model's run again: from where the film was made, or from the film's folder. Says
-/// where its files are others now.
-StoredBeds opened_again(const FilmedRun& run, const FilmAgain& wanted, StatusLine& status) {
-    const fs::path first = run.inputs.empty() ? fs::path() : fs::path(run.inputs.front().path);
-    std::error_code fault;
-    fs::path folder = first.parent_path();
-    if (!fs::exists(first, fault)) folder = wanted.film.parent_path();
-    StoredBeds beds =
-        StoredBeds::of_files((folder / run.name).string(), wanted.work.threads, {}, *run.foreign);
-    for (const InputFile& then : run.inputs) {
-        const auto now = std::ranges::find_if(beds.inputs(), [&](const InputFile& input) {
-            return fs::path(input.path).filename() == fs::path(then.path).filename();
-        });
-        if (now == beds.inputs().end() || now->hash != then.hash)
-            status.note(
-                fmt::format("{}: is not the file that the film was made of: its content "
-                            "has changed",
-                            then.path));
-    }
-    return beds;
-}
-
 /// Simulates a run into a folder. Nothing when interrupted.
 std::optional<StoredBeds> stored_again(const FilmedRun& run, const std::vector<LayerRecord>& layers,
                                        const FilmAgain& wanted, const fs::path& folder) {
@@ -138,9 +117,19 @@ int make_film_again(const FilmAgain& wanted) {
     StatusLine status(wanted.work.verbosity);
     const ScratchFolder scratch;
     std::vector<StoredBeds> stored;
+    const auto foreign =
+        std::ranges::count_if(runs, [](const FilmedRun& run) { return run.foreign.has_value(); });
+    if (std::cmp_greater(wanted.from.size(), foreign))
+        throw InputError(fmt::format(
+            "{}: --from is given {} times, but {} of the film's runs are another model's",
+            wanted.film.string(), wanted.from.size(), foreign));
+    auto given = wanted.from.begin();
     for (const FilmedRun& run : runs) {
         if (run.foreign) {
-            stored.push_back(opened_again(run, wanted, status));
+            const std::string from = given == wanted.from.end() ? "" : *given++;
+            stored.push_back(results_again({run.name, run.inputs, *run.foreign},
+                                           {wanted.film, "film", from, wanted.work.threads},
+                                           status));
             continue;
         }
         const fs::path folder = scratch.path() / std::to_string(stored.size() + 1);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "run/terminal/work_options.h"
 
@@ -12,7 +13,8 @@ struct FilmAgain {
     std::filesystem::path film;    ///< that is made again
     std::filesystem::path output;  ///< empty: NAME-again here
     bool force = false;
-    bool trust = false;  ///< without limits on its runs
+    bool trust = false;               ///< without limits on its runs
+    std::vector<std::string> from{};  ///< files of other models' runs, in their order
     WorkOptions work;
 };
 

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "files/input_file.h"
 #include "files/json_text.h"
+#include "film/beds/results_text.h"
 #include "outputs/output_claims.h"
 #include "picture/exr.h"
 #include "picture/movie.h"
@@ -86,11 +87,7 @@ std::string filmed_runs_text(const FilmRuns& runs) {
                         {"scene", resolved_scene(beds.scene(), beds.inputs())},
                         {"inputs", json_of(without_local_paths(beds.inputs()))}});
         if (const std::optional<ForeignQuery>& query = beds.foreign_query())
-            list.back()["foreign"] = {{"fields", query->fields},
-                                      {"time_pattern", query->time_pattern},
-                                      {"time_unit", query->time_unit},
-                                      {"cell_size", query->cell_size},
-                                      {"scalars", query->scalars}};
+            list.back()["foreign"] = json_of_query(*query);
     }
     return json_text(list);
 }
@@ -101,12 +98,7 @@ std::vector<FilmedRun> filmed_runs(const FilmTexts& texts, const std::string& fi
         for (const auto& item : parse_json(text_of(texts, runs_keyword))) {
             FilmedRun run{item.at("name"), item.at("scene"), inputs_of(item.at("inputs")),
                           text_of(texts, version_keyword)};
-            if (item.contains("foreign")) {
-                const auto& query = item.at("foreign");
-                run.foreign = ForeignQuery{query.at("fields"), query.at("time_pattern"),
-                                           query.at("time_unit"), query.at("cell_size"),
-                                           query.value("scalars", std::vector<std::string>())};
-            }
+            if (item.contains("foreign")) run.foreign = query_of_json(item.at("foreign"));
             runs.push_back(std::move(run));
         }
     } catch (const nlohmann::json::exception&) {

@@ -25,8 +25,12 @@ void check_drawing_process() {
 
 }  // namespace
 
-Drawer::Drawer(Scene scene, std::vector<InputFile> inputs, SharedSnapshot first)
-    : scene_(std::move(scene)), inputs_(std::move(inputs)), first_(std::move(first)) {}
+Drawer::Drawer(Scene scene, std::vector<InputFile> inputs, SharedSnapshot first,
+               std::string results)
+    : scene_(std::move(scene)),
+      inputs_(std::move(inputs)),
+      first_(std::move(first)),
+      results_(std::move(results)) {}
 
 Drawer::~Drawer() {
     if (!process_.is_this()) static_cast<void>(worker_.release());  // its thread is not here

@@ -6,6 +6,7 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -19,8 +20,10 @@ namespace fumon::python {
 /// OpenGL belongs; any thread may ask. The thread starts with the first picture.
 class Drawer {
   public:
-    /// `first` is the run's first snapshot, by which pictures are framed.
-    Drawer(Scene scene, std::vector<InputFile> inputs, SharedSnapshot first);
+    /// `first` is the run's first snapshot, by which pictures are framed; `results` as in
+    /// StillSubject.
+    Drawer(Scene scene, std::vector<InputFile> inputs, SharedSnapshot first,
+           std::string results = {});
     ~Drawer();
     Drawer(const Drawer&) = delete;
     Drawer& operator=(const Drawer&) = delete;
@@ -34,6 +37,7 @@ class Drawer {
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const std::vector<InputFile>& inputs() const { return inputs_; }
     [[nodiscard]] const SharedSnapshot& first() const { return first_; }
+    [[nodiscard]] const std::string& results() const { return results_; }
 
   private:
     /// The painter of pictures or that of layers, made when it is first asked for.
@@ -53,6 +57,7 @@ class Drawer {
     Scene scene_;
     std::vector<InputFile> inputs_;
     SharedSnapshot first_;
+    std::string results_;
     Process process_;
     std::mutex starting_;
     std::unique_ptr<Worker> worker_;

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "files/unit_conversion.h"
 #include "film/beds/film_runs.h"
+#include "film/beds/results_text.h"
 #include "film/film_output.h"
 #include "film/film_read.h"
 #include "film/make_film.h"
@@ -44,7 +45,8 @@ class Results {
   public:
     explicit Results(StoredBeds beds) : runs_(one(std::move(beds))) {
         drawer_ = std::make_shared<Drawer>(beds_of().scene(), beds_of().inputs(),
-                                           std::make_shared<const Snapshot>(beds_of().first()));
+                                           std::make_shared<const Snapshot>(beds_of().first()),
+                                           results_text(beds_of()));
     }
 
     [[nodiscard]] const StoredBeds& beds_of() const { return runs_.first(); }

@@ -107,10 +107,10 @@ void define_runs(py::module_& core) {
             "still",
             [](const Step& step, const std::string& file) {
                 return file_of(step, drawing_of(step),
-                               [&file](const Scene& scene, const std::vector<InputFile>& inputs,
-                                       std::int64_t number, const Drawing& drawing) {
+                               [&](const Scene& scene, const std::vector<InputFile>& inputs,
+                                   std::int64_t number, const Drawing& drawing) {
                                    return still_file(scene, inputs, number, drawing,
-                                                     picture_format(file));
+                                                     picture_format(file), step.drawer->results());
                                });
             },
             py::arg("file"))
@@ -119,8 +119,14 @@ void define_runs(py::module_& core) {
                  return projection_of(step.drawer->scene(), *step.drawer->first(), *step.snapshot);
              })
         .def("layers", [](const Step& step) { return layers_of(layers_drawing_of(step)); })
-        .def("exr",
-             [](const Step& step) { return file_of(step, layers_drawing_of(step), &layers_file); });
+        .def("exr", [](const Step& step) {
+            return file_of(step, layers_drawing_of(step),
+                           [&](const Scene& scene, const std::vector<InputFile>& inputs,
+                               std::int64_t number, const LayersDrawing& drawing) {
+                               return layers_file(scene, inputs, number, drawing,
+                                                  step.drawer->results());
+                           });
+        });
 
     py::class_<LiveRun>(core, "LiveRun")
         .def(py::init([](const SceneValue& scene, int threads, bool measures) {

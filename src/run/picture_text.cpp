@@ -101,8 +101,8 @@ PictureText picture_text(const std::string& resolved, const Scene& scene, std::i
     return texts;
 }
 
-PictureText of_results(PictureText texts, const std::string& name) {
-    if (!name.empty()) texts.emplace_back(results_keyword, name);
+PictureText of_results(PictureText texts, const std::string& results) {
+    if (!results.empty()) texts.emplace_back(results_keyword, results);
     return texts;
 }
 

@@ -31,7 +31,7 @@ struct PictureOrigin {
     bool is_exr = false;
     std::string ending;   ///< of such a file: ".png", ".jpg", ".webp", ".tif", ".exr", ".mp4"
     std::string encoder;  ///< of a movie: what encoded its frames
-    std::string results;  ///< of a still of another model's results: their name
+    std::string results;  ///< of a still of another model's results: what is recorded of them
 };
 
 /// The scene with every default written out and its input files named as reached from the working
@@ -44,9 +44,9 @@ PictureText picture_text(const std::string& resolved, const Scene& scene, std::i
                          const std::vector<InputFile>& inputs, const Sha256& pixels,
                          const RenderingEnvironment& environment);
 
-/// The same of a picture that is drawn of another model's results of this name (fumon:results);
-/// as they are where the name is empty.
-PictureText of_results(PictureText texts, const std::string& name);
+/// The same of a picture that is drawn of another model's results, with what is recorded of them
+/// (fumon:results); as they are where that is empty.
+PictureText of_results(PictureText texts, const std::string& results);
 
 /// The texts of a movie: those of its last frame, but fumon:pixels-sha256 is the SHA-256 over the
 /// pixel hashes of all frames, and fumon:encoder says what encoded them.

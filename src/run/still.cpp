@@ -106,15 +106,20 @@ std::vector<std::uint8_t> exr_file(const Scene& scene, const LayersDrawing& draw
 
 std::vector<std::uint8_t> still_file(const Scene& scene, const std::vector<InputFile>& inputs,
                                      std::int64_t step, const Drawing& drawing,
-                                     PictureFormat format) {
-    return pixel_file(scene, drawing, format,
-                      text_of(scene, inputs, step, pixel_hash(drawing.image), drawing.record));
+                                     PictureFormat format, const std::string& results) {
+    return pixel_file(
+        scene, drawing, format,
+        of_results(text_of(scene, inputs, step, pixel_hash(drawing.image), drawing.record),
+                   results));
 }
 
 std::vector<std::uint8_t> layers_file(const Scene& scene, const std::vector<InputFile>& inputs,
-                                      std::int64_t step, const LayersDrawing& drawing) {
-    return exr_file(scene, drawing,
-                    text_of(scene, inputs, step, layers_hash(drawing.layers), drawing.record));
+                                      std::int64_t step, const LayersDrawing& drawing,
+                                      const std::string& results) {
+    return exr_file(
+        scene, drawing,
+        of_results(text_of(scene, inputs, step, layers_hash(drawing.layers), drawing.record),
+                   results));
 }
 
 namespace {

@@ -48,7 +48,7 @@ struct StillSubject {
     const Scene& scene;
     const std::vector<InputFile>& inputs;
     MeasuredRows rows{};
-    std::string results{};  ///< the name of another model's results, of which they are drawn
+    std::string results{};  ///< what is recorded of another model's results (fumon:results)
 };
 
 /// Of a run as far as its model has come.
@@ -62,10 +62,10 @@ Drawing draw_snapshot(const StillSubject& subject, const Snapshot& first, const 
 inline constexpr const char* standard_output = "-";
 
 /// The file of such a picture of a step, in a format, with its metadata, by which `fumon again`
-/// makes it. Throws as encode_picture().
+/// makes it; `results` as in StillSubject. Throws as encode_picture().
 std::vector<std::uint8_t> still_file(const Scene& scene, const std::vector<InputFile>& inputs,
                                      std::int64_t step, const Drawing& drawing,
-                                     PictureFormat format);
+                                     PictureFormat format, const std::string& results = {});
 
 /// The light and layers of a snapshot, and what drew them.
 struct LayersDrawing {
@@ -75,7 +75,8 @@ struct LayersDrawing {
 
 /// The OpenEXR file of such layers of a step, with its metadata, by which `fumon again` makes it.
 std::vector<std::uint8_t> layers_file(const Scene& scene, const std::vector<InputFile>& inputs,
-                                      std::int64_t step, const LayersDrawing& drawing);
+                                      std::int64_t step, const LayersDrawing& drawing,
+                                      const std::string& results = {});
 
 /// Lets camera.at and camera.look_at count from the ground of the snapshot that a still draws, see
 /// standing_on(). Both snapshots as the model gives them.

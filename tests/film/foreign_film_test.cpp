@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -42,9 +43,16 @@ TEST_F(ForeignFilm, IsMadeOfAFileAndAgain) {
         << again.errors;
     write_sfincs(folder_ / "flood.nc", 0.8, 0.6);
     const Ended other = run({"again", "a.mp4", "-o", "c.mp4"});
+    EXPECT_EQ(other.status, 2);
     EXPECT_NE(other.errors.find("flood.nc: is not the file that the film was made of"),
               std::string::npos)
         << other.errors;
+    EXPECT_FALSE(fs::exists(folder_ / "c.mp4"));
+    const Ended from = run({"again", "a.mp4", "-o", "c.mp4", "--from", "flood.nc"});
+    EXPECT_EQ(from.status, 0) << from.errors;
+    EXPECT_EQ(
+        run({"again", "a.mp4", "-o", "d.mp4", "--from", "flood.nc", "--from", "flood.nc"}).status,
+        2);
 }
 
 TEST_F(ForeignFilm, AStillIsOfARecord) {
@@ -60,11 +68,78 @@ TEST_F(ForeignFilm, AStillIsOfARecord) {
     EXPECT_NE(last.errors.find("step 2, at 60, is the nearest to --time 58"), std::string::npos)
         << last.errors;
     EXPECT_NE(read_text(folder_ / "first.png"), read_text(folder_ / "last.png"));
-    const Ended again = run({"again", "first.png", "-o", "again.png"});
-    EXPECT_EQ(again.status, 2);
-    EXPECT_NE(again.errors.find("first.png: was drawn of flood.nc"), std::string::npos)
-        << again.errors;
-    EXPECT_FALSE(fs::exists(folder_ / "again.png"));
+}
+
+TEST_F(ForeignFilm, AStillIsMadeAgainFromItsFile) {
+    fs::create_directory(folder_ / "data");
+    fs::rename(folder_ / "flood.nc", folder_ / "data/flood.nc");
+    const Ended made =
+        run({"still", "data/flood.nc", "--step", "1", "-o", "a.png", "--colour", "hmax", "--field",
+             "level=zs", "--set", "image.width=160", "--set", "image.height=120"});
+    ASSERT_EQ(made.status, 0) << made.errors;
+    const auto again = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), "again");
+        const Ended ended = run(more);
+        EXPECT_EQ(std::count(ended.errors.begin(), ended.errors.end(), '\n'), 1) << ended.errors;
+        return ended;
+    };
+    EXPECT_EQ(again({"a.png", "-o", "b.png"}).errors, "b.png: the same pixels as a.png\n");
+    EXPECT_TRUE(read_text(folder_ / "a.png") == read_text(folder_ / "b.png"));
+    for (const char* place : {"moved/flood.nc", "flood.nc"}) {  // beside the picture, here
+        fs::create_directory(folder_ / "moved");
+        fs::rename(folder_ / "data", folder_ / "gone");
+        fs::rename(folder_ / "gone/flood.nc", folder_ / place);
+        fs::copy(folder_ / "a.png", folder_ / "moved/a.png");
+        EXPECT_EQ(again({"moved/a.png", "-o", "c.png", "--force"}).errors,
+                  "c.png: the same pixels as moved/a.png\n");
+        EXPECT_TRUE(read_text(folder_ / "a.png") == read_text(folder_ / "c.png"));
+        fs::create_directory(folder_ / "data");
+        fs::rename(folder_ / place, folder_ / "data/flood.nc");
+        fs::remove_all(folder_ / "moved");
+        fs::remove_all(folder_ / "gone");
+    }
+    write_sfincs(folder_ / "data/flood.nc", 0.8, 0.6);
+    const Ended other = again({"a.png", "-o", "d.png"});
+    EXPECT_EQ(other.status, 2);
+    EXPECT_EQ(other.errors,
+              "data/flood.nc: is not the file that the picture was made of: its content has "
+              "changed; --from data/flood.nc takes it\n");
+    EXPECT_FALSE(fs::exists(folder_ / "d.png"));
+    const Ended from = run({"again", "a.png", "-o", "d.png", "--from", "data/flood.nc"});
+    EXPECT_EQ(from.status, 0) << from.errors;
+    EXPECT_NE(from.errors.find("its content has changed"), std::string::npos) << from.errors;
+    EXPECT_TRUE(fs::exists(folder_ / "d.png"));
+    fs::remove_all(folder_ / "data");
+    EXPECT_EQ(again({"a.png", "-o", "e.png"}).errors,
+              "a.png: flood.nc, of which the picture was made, is missing; copy it beside the "
+              "picture, or name it by --from FILE\n");
+}
+
+TEST_F(ForeignFilm, AStillOfSeveralFilesIsMadeAgain) {
+    fs::create_directory(folder_ / "s");
+    const std::string head = "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 5\n";
+    for (const int year : {1, 2}) {
+        const std::string number = std::to_string(year);
+        write_text(folder_ / ("s/elev_" + number + ".asc"), head + "0 1 2\n1 2 3\n");
+        write_text(folder_ / ("s/depth_" + number + ".asc"), head + "0 1 0\n1 " + number + " 0\n");
+    }
+    const Ended made =
+        run({"still", "s/elev_*.asc", "--step", "1", "-o", "a.png", "--field",
+             "depth=s/depth_*.asc", "--set", "image.width=160", "--set", "image.height=120"});
+    ASSERT_EQ(made.status, 0) << made.errors;
+    fs::rename(folder_ / "s", folder_ / "t");
+    fs::create_directory(folder_ / "u");
+    fs::rename(folder_ / "a.png", folder_ / "t/a.png");
+    const Ended again = run({"again", "t/a.png", "-o", "b.png"});
+    EXPECT_EQ(again.errors, "b.png: the same pixels as t/a.png\n");
+    EXPECT_TRUE(read_text(folder_ / "t/a.png") == read_text(folder_ / "b.png"));
+    write_text(folder_ / "t/depth_2.asc", head + "0 1 0\n1 9 0\n");
+    const Ended other = run({"again", "t/a.png", "-o", "c.png"});
+    EXPECT_NE(other.errors.find("t/depth_2.asc: is not the file"), std::string::npos)
+        << other.errors;
+    const Ended own = run({"again", "b.png", "-o", "c.png", "--from", "x.nc"});
+    EXPECT_EQ(own.status, 2);
+    EXPECT_FALSE(fs::exists(folder_ / "c.png"));
 }
 
 TEST_F(ForeignFilm, FieldsOfFumonNeedNoFolder) {
@@ -126,11 +201,32 @@ TEST_F(ForeignFilm, AMapOfTheFileColoursTheGround) {
 TEST_F(ForeignFilm, AFilmByRuleIsPrintedAndColoured) {
     const Ended printed = run({"film", "flood.nc", "--print", "--colour", "hmax"});
     ASSERT_EQ(printed.status, 0) << printed.errors;
-    for (const char* line : {"colour_by = \"field\"", "field = \"hmax\"", "kind = \"colour-bar\""})
+    for (const char* line : {"title = \"Flood\"", "colour_by = \"field\"", "field = \"hmax\"",
+                             "kind = \"colour-bar\"", "text = \"{date}\""})
         EXPECT_NE(printed.output.find(line), std::string::npos) << line << "\n" << printed.output;
     write_text(folder_ / "printed.toml", printed.output);
     const Ended checked = run({"check", "printed.toml", "--run", "flood.nc"});
     EXPECT_EQ(checked.status, 0) << checked.errors;
+}
+
+TEST_F(ForeignFilm, AHeapOnAFlatIsWhatAFilmByRuleShows) {
+    const std::string head = "ncols 12\nnrows 8\nxllcorner 0\nyllcorner 0\ncellsize 5\n";
+    for (const int record : {1, 2}) {
+        std::string heights = head;
+        std::string depths = head;
+        for (int y = 0; y < 8; ++y) {
+            for (int x = 0; x < 12; ++x) {
+                const int low = 3 - std::max(std::abs(x - 4 - record), std::abs(y - 4));
+                heights += std::to_string(std::max(0, low)) + " ";
+                depths += "0 ";
+            }
+        }
+        write_text(folder_ / ("sand_" + std::to_string(record) + ".asc"), heights);
+        write_text(folder_ / ("water_" + std::to_string(record) + ".asc"), depths);
+    }
+    const Ended printed = run({"film", "sand_*.asc", "--field", "depth=water_*.asc", "--print"});
+    EXPECT_NE(printed.output.find("# close to the highest"), std::string::npos) << printed.output;
+    EXPECT_EQ(printed.output.find("stream"), std::string::npos) << printed.output;
 }
 
 TEST_F(ForeignFilm, AColouredFilmIsMadeAgainFromItsFile) {

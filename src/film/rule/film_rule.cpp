@@ -311,7 +311,7 @@ class RuledFilm {
             if (!crests) shot.set("distance", "\"near\"");
             return shot;
         };
-        if (landform() == Landform::water) {
+        if (landform() == Landform::water && look_.largest == "deepest channel") {
             WrittenShot stream =
                 begun("down the stream that drains most", 0.2, "\"end\"", "\"end\"");
             stream.set("move", "\"follow-stream\"");
@@ -364,7 +364,9 @@ class RuledFilm {
             text += fmt::format(
                 "[[overlay]]\nkind = \"time\"\ncorner = \"upper-left\"\ntext = "
                 "\"{}\"\n\n",
-                first.time_unit == "steps" ? "step {step}" : "{time}");
+                first.date                   ? "{date}"
+                : first.time_unit == "steps" ? "step {step}"
+                                             : "{time}");
         }
         if (first.scale.in_metres && !look_.section)
             text +=

@@ -210,6 +210,26 @@ double wavelength_of(const Snapshot& bed) {
     return std::min(rows, columns) / side;
 }
 
+bool is_dry(const Snapshot& snapshot) {
+    const Grid* depth = field_of(snapshot.fields, "water_depth");
+    return depth == nullptr ||
+           std::ranges::none_of(depth->values(), [](double value) { return value > 0.0; });
+}
+
+/// Whether a bed is flat but for what rises from it, as sand does from a beach.
+bool is_heaped(const Snapshot& snapshot) {
+    std::vector<double> heights;
+    for (std::size_t cell = 0; cell < snapshot.bed.size(); ++cell)
+        if (snapshot.nodata.empty() || snapshot.nodata.values()[cell] == 0)
+            heights.push_back(snapshot.bed.values()[cell]);
+    if (heights.empty()) return false;
+    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+    std::ranges::nth_element(heights, middle);
+    const auto [low, high] = std::ranges::minmax(heights);
+    constexpr double higher = 4.0;
+    return high - *middle > higher * (*middle - low);
+}
+
 void find_largest(const StoredBeds& beds, const Snapshot& last, RunLook& look) {
     switch (beds.first().landform) {
         case Landform::bed:
@@ -225,6 +245,8 @@ void find_largest(const StoredBeds& beds, const Snapshot& last, RunLook& look) {
         case Landform::terrain:
         case Landform::water:
             look.largest = "deepest channel";
+            if (is_dry(*beds.snapshot(beds.beds().size() - 1)) && is_heaped(last))
+                look.largest = "highest";
             return;
         case Landform::air:
             look.largest = "middle";
@@ -256,8 +278,8 @@ bool is_surveyed_land(const StoredBeds& beds, const View& view) {
 }
 
 std::string title_of(const Scene& scene) {
-    if (!scene.title.empty() || scene.bed.file.empty()) return scene.title;
     std::string name = std::filesystem::path(scene.bed.file).stem().string();
+    if (name.empty() || (!scene.title.empty() && scene.title != name)) return scene.title;
     std::ranges::replace(name, '_', ' ');
     if (!name.empty() && name[0] >= 'a' && name[0] <= 'z')
         name[0] = static_cast<char>(name[0] - 'a' + 'A');

@@ -6,6 +6,7 @@ import atexit
 import hashlib
 import json
 import os
+import re
 import shutil
 import tempfile
 from pathlib import Path
@@ -13,6 +14,7 @@ from typing import Any, Iterable, Mapping, Protocol, runtime_checkable
 
 _of_geojson = {"Feature", "FeatureCollection", "Point", "MultiPoint", "LineString", "MultiLineString", "Polygon",
                "MultiPolygon", "GeometryCollection"}
+_system = re.compile(r"\w+:.+|[A-Z_]+\[|\+|\{")  # "EPSG:4326", an URN or address, WKT, PROJ, PROJJSON
 _kept: dict[int, str] = {}  # the folder of a process: one that was forked leaves its parent's alone
 
 
@@ -65,6 +67,8 @@ def _with_system(features: Mapping[str, Any], owner: Any) -> Mapping[str, Any]:
         features = {"type": "Feature", "properties": {}, "geometry": features}
     authority = system.to_authority() if hasattr(system, "to_authority") else None
     name = ":".join(authority) if authority else system.to_wkt() if hasattr(system, "to_wkt") else str(system)
+    if not _system.match(name):
+        raise ValueError(f"the layer's crs {name!r} is no reference system; set one such as \"EPSG:32613\"")
     return {**features, "crs": {"type": "name", "properties": {"name": name}}}
 
 

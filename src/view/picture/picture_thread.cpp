@@ -148,8 +148,8 @@ DrawnPicture PictureThread::drawn(const ViewRequest& request, DraftPainter& draf
         const Drawing drawing =
             draw_snapshot({scene, subject_.inputs(), rows}, first, *snapshot, options_);
         picture.type = media_type(format);
-        picture.bytes =
-            text_of(still_file(scene, subject_.inputs(), snapshot->step, drawing, format));
+        picture.bytes = text_of(still_file(scene, subject_.inputs(), snapshot->step, drawing,
+                                           format, subject_.results()));
     }
     picture.seconds = watch.seconds();
     return picture;

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "files/csv_table.h"
 #include "files/input_file.h"
+#include "film/beds/results_text.h"
 #include "film/beds/stored_beds.h"
 #include "outputs/output_claims.h"
 
@@ -40,6 +41,7 @@ class StoredSubject : public ViewSubject {
     [[nodiscard]] std::string name() const override { return beds_.name(); }
     [[nodiscard]] const Scene& scene() const override { return beds_.scene(); }
     [[nodiscard]] const std::vector<InputFile>& inputs() const override { return beds_.inputs(); }
+    [[nodiscard]] std::string results() const override { return results_text(beds_); }
     [[nodiscard]] const Snapshot& first() const override { return beds_.first(); }
 
     [[nodiscard]] std::vector<ShownMoment> moments() override {

@@ -50,6 +50,8 @@ class ViewSubject {
     /// As it is drawn when nothing is changed.
     [[nodiscard]] virtual const Scene& scene() const = 0;
     [[nodiscard]] virtual const std::vector<InputFile>& inputs() const = 0;
+    /// What pictures record of another model's results, see StillSubject.
+    [[nodiscard]] virtual std::string results() const { return {}; }
     [[nodiscard]] virtual const Snapshot& first() const = 0;
     /// At least one, in the order of their steps. Of a run that goes on they become more.
     [[nodiscard]] virtual std::vector<ShownMoment> moments() = 0;
