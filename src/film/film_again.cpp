@@ -39,7 +39,8 @@ Scene scene_of(const FilmedRun& run, const std::vector<InputFile>& layers,
     std::vector<InputFile> listed = run.inputs;
     listed.insert(listed.end(), layers.begin(), layers.end());
     Scene scene = parse_scene(
-        {run.scene, wanted.film.string(), "", wanted.trust, hashes_of(listed), run.version}, {});
+        {run.scene, wanted.film.string(), "", wanted.trust, hashes_of(listed), run.version, true},
+        {});
     check_limits(scene, 1, scene.run.steps);
     find_inputs(scene, run.inputs, wanted.film, "film");
     return scene;
