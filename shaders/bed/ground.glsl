@@ -70,6 +70,8 @@ vec3 ground_albedo(vec2 position, BedPoint point, float value) {
 
 vec3 ground_albedo(vec2 position, BedPoint point) { return ground_albedo(position, point, texture(value_map, position).r); }
 
+bool eroded = false;  // between the banks that water has cut
+
 // From the sun's share that leaves it, `direct`. `gloss` is 1 for dry ground.
 vec3 ground_light_of(vec3 albedo, float direct, BedPoint point, vec3 to_eye, float gloss) {
     // The sky is brighter on the sun's side.
@@ -78,14 +80,16 @@ vec3 ground_light_of(vec3 albedo, float direct, BedPoint point, vec3 to_eye, flo
     vec3 bounce = albedo * (sun_light * max(to_sun.z, 0.15) + 0.5 * sky_light) * (1.0 - point.sky) * 1.7;
     if (atmosphere > 0.5) {
         float x = dot(point.normal.xy, normalize(to_sun.xy + vec2(1e-6, 0.0)));
-        float t = 1.0 - point.normal.z;
-        vec3 lean = x * (sky_lean_x + x * sky_lean_xx + t * sky_lean_tx) + t * sky_lean_t;
+        // The lean is fitted over slopes of up to 45 degrees: steeper ones get what those do.
+        float tilt = min(1.0, 0.70711 / max(length(point.normal.xy), 1e-6));
+        float t = min(1.0 - point.normal.z, 0.29289);
+        vec3 lean = tilt * x * (sky_lean_x + tilt * x * sky_lean_xx + t * sky_lean_tx) + t * sky_lean_t;
         sky = sky_light * point.sky * max(1.0 + lean, 0.1);
         // A slope sees level ground, half of it in the sun, where it does not see the sky.
         float ground_seen = clamp(1.0 - point.sky, 0.0, 1.0);
         float lit = 0.5 * to_sun.z;
         // Between hills a slope in shade sees the one that faces the sun.
-        if (covered > 0.5) lit = mix(lit, 0.8 * dot(vec2(0.5, 0.87), vec2(length(to_sun.xy), to_sun.z)), clamp(-2.0 * x, 0.0, 1.0));
+        if (covered > 0.5 || eroded) lit = mix(lit, 0.8 * dot(vec2(0.5, 0.87), vec2(length(to_sun.xy), to_sun.z)), clamp(-2.0 * x, 0.0, 1.0));
         bounce = albedo * (sun_light * lit + sky_light) * ground_seen;
     }
     float n_dot_l = max(dot(point.normal, to_sun), 0.0);

@@ -72,6 +72,7 @@ WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, ve
     point.normal = normal_below;
     point.sky *= clamp(1.0 + 0.10 * soil.height, 0.6, 1.1) * (1.0 - 0.25 * soil.groove);
 
+    eroded = true;
     vec3 light = ground_light(wetted(albedo, damp), point, to_eye, 1.0 + 2.0 * damp);
     point.sun = on_water;
     if (under_water > dry_water) {

@@ -409,7 +409,7 @@ int perform(const AgainOptions& options) {
     work.pinned = work.pinned || (origin.environment && origin.environment->pinned);
     prepare_drawing(work);
     Scene scene = parse_scene({origin.scene, options.picture, "", options.trust,
-                               hashes_of(origin.inputs), origin.version},
+                               hashes_of(origin.inputs), origin.version, true},
                               read_settings(options.work.settings));
     check_limits(scene, 1, origin.step);
     find_listed(scene, origin, options.picture);

@@ -40,7 +40,8 @@ Scene scene_of(const FilmedRun& run, const std::vector<LayerRecord>& layers,
     std::vector<InputFile> listed = run.inputs;
     for (const LayerRecord& layer : layers) listed.push_back(layer.input);
     Scene scene = parse_scene(
-        {run.scene, wanted.film.string(), "", wanted.trust, hashes_of(listed), run.version}, {});
+        {run.scene, wanted.film.string(), "", wanted.trust, hashes_of(listed), run.version, true},
+        {});
     check_limits(scene, 1, scene.run.steps);
     find_inputs(scene, run.inputs, wanted.film, "film");
     return scene;

@@ -27,6 +27,12 @@ std::optional<Numbers> numbers_of(std::string_view version) {
     return numbers;
 }
 
+void take(const Key& key, const EarlierDefault& earlier) {
+    const auto holder = parse_toml_value(earlier.value);
+    if (!holder) throw std::logic_error("the earlier default of " + key.path + " is no TOML");
+    assign(key, *holder->get("value"), [&](const auto&) { return key.path; });
+}
+
 }  // namespace
 
 bool is_earlier_version(std::string_view one, std::string_view other) {
@@ -37,14 +43,13 @@ bool is_earlier_version(std::string_view one, std::string_view other) {
 
 void take_earlier_defaults(const KeyTable& table, std::string_view version) {
     for (const Key& key : table.keys()) {
-        for (const EarlierDefault& earlier : {key.notes.earlier, key.notes.earliest}) {
-            if (!is_earlier_version(version, earlier.until)) continue;
-            const auto holder = parse_toml_value(earlier.value);
-            if (!holder)
-                throw std::logic_error("the earlier default of " + key.path + " is no TOML");
-            assign(key, *holder->get("value"), [&](const auto&) { return key.path; });
-        }
+        for (const EarlierDefault& earlier : {key.notes.earlier, key.notes.earliest})
+            if (is_earlier_version(version, earlier.until)) take(key, earlier);
     }
+}
+
+void take_default_of_absence(const Key& key) {
+    if (!key.notes.earlier.value.empty()) take(key, key.notes.earlier);
 }
 
 }  // namespace fumon

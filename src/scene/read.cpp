@@ -33,10 +33,12 @@ namespace {
 
 class Reader {
   public:
-    Reader(Scene& scene, std::vector<Setting> settings, std::string version, Faults& faults)
+    Reader(Scene& scene, std::vector<Setting> settings, std::string version, bool resolved,
+           Faults& faults)
         : scene_(scene),
           settings_(std::move(settings)),
           version_(std::move(version)),
+          resolved_(resolved),
           table_(scene_keys(scene)),
           faults_(faults) {}
 
@@ -47,6 +49,7 @@ class Reader {
             take_earlier_defaults(table_, version_);
             attempt("look.preset", [&] { choose_look(root); });
             read_section(root, "");
+            if (resolved_) take_absent_keys();
             for (const Setting& setting : settings_) {
                 if (is_known_fault(setting.given.path)) continue;
                 attempt(setting.given.path, [&] { apply(setting); });
@@ -246,6 +249,14 @@ class Reader {
         }
     }
 
+    /// Keys that came, within one version, after the text was kept.
+    void take_absent_keys() const {
+        for (const Key& key : table_.keys()) {
+            const bool had = is_earlier_version(version_, key.notes.earlier.until);
+            if (!had && !scene_.locations.contains(key.path)) take_default_of_absence(key);
+        }
+    }
+
     void read_value(const Key& key, const toml::node& value, const std::string& place) {
         if (value.is_table()) {
             throw InputError(fmt::format("{}: {} is not a section; it takes {}", place, key.path,
@@ -299,6 +310,7 @@ class Reader {
     Scene& scene_;
     std::vector<Setting> settings_;
     std::string version_;  ///< whose defaults hold
+    bool resolved_;        ///< the text says all keys of then
     KeyTable table_;
     Faults& faults_;
     std::set<std::string> faulty_;  ///< sections with a fault
@@ -325,7 +337,7 @@ Scene parse_scene(const SceneText& scene_text, const std::vector<Override>& over
             fmt::format("{}: is a film, not a scene; a film is cut from a run: fumon film RUN {}",
                         scene.source, scene.source));
     }
-    Reader(scene, std::move(settings), scene_text.version, faults).read(root);
+    Reader(scene, std::move(settings), scene_text.version, scene_text.resolved, faults).read(root);
     return scene;
 }
 

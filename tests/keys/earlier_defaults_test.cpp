@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <any>
+#include <string>
+
+#include "base/error.h"
+#include "models/dunes/setup/dunes_parameters.h"
 #include "scene/read.h"
 #include "scene/scene_keys.h"
 
@@ -87,6 +92,20 @@ TEST(EarlierDefaultsTest, WhatASceneSaysIsKept) {
     };
     EXPECT_EQ(ground_of(text), Ground::table);
     EXPECT_EQ(ground_of(text + "[look]\nground = \"endless\"\n"), Ground::endless);
+}
+
+/// As scenes that this version kept before it had the key.
+TEST(EarlierDefaultsTest, AKeyThatAResolvedSceneLacksMeansWhatItsAbsenceMeant) {
+    const std::string text =
+        "[model]\nname = \"dunes\"\nhop_length = 2.0\n[grid]\nnx = 20\nny = 20\ncell_size = 1.0\n"
+        "[run]\nsteps = 1\n";
+    const auto saturation_of = [&](const std::string& said, bool resolved) {
+        SceneText kept{text + said, "kept.toml", "", true, nullptr, FUMON_VERSION, resolved};
+        return std::any_cast<const DunesParameters&>(parse_scene(kept, {}).model.parameters)
+            .saturation_length.word;
+    };
+    EXPECT_EQ(saturation_of("", true), "hops");
+    EXPECT_EQ(saturation_of("", false), "auto");
 }
 
 }  // namespace

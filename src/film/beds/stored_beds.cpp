@@ -115,6 +115,7 @@ Scene scene_of(const Json& manifest, const fs::path& folder,
     const std::string file = (folder / "run.json").string();
     SceneText text{scene_toml(manifest.at("scene")), file, ""};
     text.version = manifest.at("fumon").get<std::string>();
+    text.resolved = true;
     Scene scene = parse_scene(text, read_settings(settings));
     if (!settings.empty()) check_settings(parse_scene(text, {}), scene);
     const std::vector<InputFile> inputs = inputs_of(manifest);

@@ -16,6 +16,7 @@ struct SceneText {
     std::shared_ptr<const std::vector<std::string>> bed_hashes{};  ///< see Scene::bed_hashes
     std::string version{};  ///< of the fumon whose defaults hold where the text says nothing; empty
                             ///< for this one's
+    bool resolved = false;  ///< it says all keys that the fumon had which kept it
 };
 
 /// Reads it from a file or a pipe. Throws InputError where it cannot be read, is a folder or has
