@@ -24,7 +24,8 @@ enum class Purpose : std::uint32_t {
     plain = 11,
     footprints = 12,
     ravines = 13,
-    raindrops = 14
+    raindrops = 14,
+    persons = 15
 };
 
 /// Philox4x32-10 (Salmon, Moraes, Dror & Shaw 2011): ten rounds on a 128-bit counter under a 64-bit

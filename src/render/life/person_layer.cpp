@@ -51,7 +51,8 @@ std::vector<PersonPosition> person_positions(const View& view, const Block& bloc
         }
         const glm::dvec2 at =
             bed_position({person.at[0], person.at[1]}, view, block, first, key, key);
-        const double angle = -person.facing * degree;
+        const double facing = person.facing.is_word() ? person_facing(i) : person.facing.value;
+        const double angle = -facing * degree;
         positions.push_back({at, glm::vec2(elementary::cos(angle), elementary::sin(angle))});
     }
     return positions;
@@ -74,8 +75,13 @@ PersonLayer::PersonLayer(const View& view, const Block& block, const Snapshot& f
                {"part", "part_normal", "part_colour"}, fixed),
       shadow_program_("life/person_shadow.vert.glsl", "life/plant.frag.glsl",
                       {"part", "part_normal", "part_colour"}, fixed) {
-    const std::vector<PersonVertex> mesh = person_mesh();
-    count_ = static_cast<int>(mesh.size());
+    std::vector<PersonVertex> mesh;
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
+        const std::vector<PersonVertex> own = person_mesh(person_figure(i));
+        positions_[i].first = static_cast<int>(mesh.size());
+        positions_[i].count = static_cast<int>(own.size());
+        mesh.insert(mesh.end(), own.begin(), own.end());
+    }
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(array_.name());
     gl.BindBuffer(GL_ARRAY_BUFFER, corners_.name());
@@ -133,7 +139,7 @@ void PersonLayer::draw_one(const gl::Program& program, const PersonPosition& pos
     program.set("root", glm::vec4(glm::dvec4(root, 1.0 / block_.side)));
     program.set("root_position", glm::vec2(share - glm::floor(share)));
     program.set("turn", position.turn);
-    gl::functions().DrawArrays(GL_TRIANGLES, 0, count_);
+    gl::functions().DrawArrays(GL_TRIANGLES, position.first, position.count);
 }
 
 /// The union of all shadows from each of a few points of the sun's disc, one after the other.

@@ -25,6 +25,8 @@ void check_persons(const View& view, const Snapshot& first);
 struct PersonPosition {
     glm::dvec2 at;   ///< block lengths from the bed's middle
     glm::vec2 turn;  ///< cosine and sine, anticlockwise from north
+    int first = 0;   ///< corner of its mesh among those of all persons
+    int count = 0;   ///< of corners
 };
 
 /// Persons who stand on the bed as a scale, each with a shadow on the ground. The target's depths
@@ -69,7 +71,6 @@ class PersonLayer {
     std::optional<gl::Program> depth_program_;
     gl::VertexArray array_;
     gl::Buffer corners_;
-    int count_ = 0;
     std::optional<gl::Texture2D> heights_;
     Field<float> z_;
     glm::dvec2 extent_{1.0};  ///< of the ground's tile

@@ -1,21 +1,20 @@
 #include "render/life/person_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 
 #include "base/elementary.h"
+#include "base/random.h"
 
 namespace fumon {
 
 namespace {
 
 // Rounded to what photographs show.
-const glm::vec3 trousers{0.075F, 0.080F, 0.100F};
-const glm::vec3 shirt{0.24F, 0.085F, 0.070F};
-const glm::vec3 skin{0.34F, 0.20F, 0.13F};
-const glm::vec3 hat{0.42F, 0.37F, 0.28F};
 const glm::vec3 shoes{0.060F, 0.045F, 0.035F};
 const glm::vec3 pack{0.060F, 0.090F, 0.055F};
 
@@ -131,34 +130,46 @@ void add_round(std::vector<PersonVertex>& mesh, const glm::dvec3& middle, const 
     add_surface(mesh, rows, colour);
 }
 
-}  // namespace
+/// A leg in trousers, and its shoe. `before`: how far the foot stands before the hips; the heel of
+/// a foot behind them is lifted.
+void add_leg(std::vector<PersonVertex>& mesh, const PersonFigure& figure, double side,
+             double before) {
+    const double lifted = 0.45 * std::max(-before, 0.0);
+    const double knee = 0.035 + 0.55 * before + 0.5 * std::max(-before, 0.0);
+    const auto at = [side](double x, double y, double z) { return glm::dvec3(side * x, y, z); };
+    add_round(mesh, at(0.098, before + 0.045, 0.045 + 0.3 * lifted),
+              {0.048, 0.135, 0.048 + 0.3 * lifted}, shoes);
+    add_limb(mesh,
+             {{at(0.098, before - 0.015, 0.09 + lifted), 0.043, 0.050},
+              {at(0.099, 0.7 * before + 0.3 * knee - 0.02, 0.28), 0.058, 0.066},
+              {at(0.098, knee, 0.49), 0.061, 0.068},
+              {at(0.096, 0.4 * knee, 0.70), 0.079, 0.086},
+              {at(0.088, 0.0, 0.88), 0.090, 0.105}},
+             figure.trousers);
+}
 
-std::vector<PersonVertex> person_mesh() {
-    std::vector<PersonVertex> mesh;
-    for (const double side : {-1.0, 1.0}) {
-        const double before = 0.13 * side;  // the right foot
-        const auto at = [side](double x, double y, double z) { return glm::dvec3(side * x, y, z); };
-        add_round(mesh, at(0.098, before + 0.045, 0.045), {0.048, 0.135, 0.048}, shoes);
-        add_limb(mesh,
-                 {{at(0.098, before - 0.015, 0.09), 0.043, 0.050},
-                  {at(0.099, before - 0.02, 0.28), 0.058, 0.066},
-                  {at(0.098, 0.6 * before + 0.02, 0.49), 0.061, 0.068},
-                  {at(0.096, 0.25 * before, 0.70), 0.079, 0.086},
-                  {at(0.088, 0.0, 0.88), 0.090, 0.105}},
-                 trousers);
-        const double swing = -0.10 * side;  // arms go with the other foot
-        add_limb(
-            mesh,
-            {{at(0.262, swing + 0.03, 0.80), 0.034, 0.040}, {at(0.262, swing, 0.90), 0.030, 0.034}},
-            skin);
-        add_limb(mesh,
-                 {{at(0.262, swing, 0.90), 0.033, 0.036},
-                  {at(0.255, 0.4 * swing - 0.03, 1.10), 0.040, 0.044},
-                  {at(0.224, -0.01, 1.27), 0.046, 0.052},
-                  {at(0.183, 0.0, 1.375), 0.048, 0.056}},
-                 shirt);
-    }
-    add_limb(mesh, {{{0.0, 0.0, 0.87}, 0.160, 0.105}, {{0.0, 0.0, 0.96}, 0.165, 0.112}}, trousers);
+/// An arm, whose sleeve ends at the wrist. `swing`: how far the hand hangs before the shoulder.
+void add_arm(std::vector<PersonVertex>& mesh, const PersonFigure& figure, double side,
+             double swing) {
+    const double bent = figure.elbows;
+    const auto at = [side](double x, double y, double z) { return glm::dvec3(side * x, y, z); };
+    const glm::dvec3 wrist = at(0.262 - 0.05 * bent, swing + 0.13 * bent, 0.90 + 0.10 * bent);
+    add_limb(
+        mesh,
+        {{at(0.262 - 0.07 * bent, swing + 0.03 + 0.19 * bent, 0.80 + 0.15 * bent), 0.034, 0.040},
+         {wrist, 0.030, 0.034}},
+        figure.skin);
+    add_limb(mesh,
+             {{wrist, 0.033, 0.036},
+              {at(0.258, 0.4 * swing - 0.03 - 0.02 * bent, 1.10), 0.040, 0.044},
+              {at(0.224, -0.01, 1.27), 0.046, 0.052},
+              {at(0.183, 0.0, 1.375), 0.048, 0.056}},
+             figure.shirt);
+}
+
+void add_trunk(std::vector<PersonVertex>& mesh, const PersonFigure& figure) {
+    add_limb(mesh, {{{0.0, 0.0, 0.87}, 0.160, 0.105}, {{0.0, 0.0, 0.96}, 0.165, 0.112}},
+             figure.trousers);
     add_limb(mesh,
              {{{0.0, 0.0, 0.97}, 0.158, 0.110},
               {{0.0, 0.0, 1.08}, 0.150, 0.106},
@@ -166,16 +177,121 @@ std::vector<PersonVertex> person_mesh() {
               {{0.0, 0.0, 1.36}, 0.188, 0.104},
               {{0.0, -0.005, 1.42}, 0.150, 0.082},
               {{0.0, -0.005, 1.46}, 0.078, 0.066}},
-             shirt);
+             figure.shirt);
+    if (!figure.pack) return;
     add_limb(mesh,
              {{{0.0, -0.155, 1.02}, 0.115, 0.060},
               {{0.0, -0.170, 1.20}, 0.130, 0.078},
               {{0.0, -0.150, 1.36}, 0.105, 0.060}},
              pack);
-    add_limb(mesh, {{{0.0, 0.0, 1.45}, 0.054, 0.056}, {{0.0, 0.01, 1.55}, 0.052, 0.054}}, skin);
-    add_round(mesh, {0.0, 0.018, 1.605}, {0.074, 0.092, 0.108}, skin);
-    add_round(mesh, {0.0, 0.012, 1.652}, {0.185, 0.205, 0.014}, hat);
-    add_limb(mesh, {{{0.0, 0.012, 1.652}, 0.092, 0.108}, {{0.0, 0.012, 1.700}, 0.080, 0.094}}, hat);
+}
+
+void add_head(std::vector<PersonVertex>& mesh, const PersonFigure& figure) {
+    const std::size_t first = mesh.size();
+    add_limb(mesh, {{{0.0, 0.0, 1.45}, 0.054, 0.056}, {{0.0, 0.01, 1.55}, 0.052, 0.054}},
+             figure.skin);
+    add_round(mesh, {0.0, 0.018, 1.605}, {0.074, 0.092, 0.108}, figure.skin);
+    switch (figure.headwear) {
+        case Headwear::brimmed_hat:
+            add_round(mesh, {0.0, 0.012, 1.652}, {0.185, 0.205, 0.014}, figure.on_head);
+            add_limb(mesh,
+                     {{{0.0, 0.012, 1.652}, 0.092, 0.108}, {{0.0, 0.012, 1.700}, 0.080, 0.094}},
+                     figure.on_head);
+            break;
+        case Headwear::cap:
+            add_round(mesh, {0.0, 0.115, 1.648}, {0.070, 0.085, 0.012}, figure.on_head);
+            add_round(mesh, {0.0, 0.012, 1.650}, {0.084, 0.102, 0.075}, figure.on_head);
+            break;
+        case Headwear::hair:
+            add_round(mesh, {0.0, -0.004, 1.638}, {0.086, 0.094, 0.092}, figure.on_head);
+            break;
+        case Headwear::scarf:
+            add_round(mesh, {0.0, -0.018, 1.622}, {0.094, 0.106, 0.114}, figure.on_head);
+            add_limb(mesh, {{{0.0, -0.01, 1.43}, 0.110, 0.092}, {{0.0, 0.0, 1.51}, 0.090, 0.086}},
+                     figure.on_head);
+            break;
+    }
+    const double angle = figure.head_turn * std::numbers::pi / 180.0;
+    const auto c = static_cast<float>(elementary::cos(angle));
+    const auto s = static_cast<float>(elementary::sin(angle));
+    const auto turned = [&](const glm::vec3& v) {
+        return glm::vec3(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
+    };
+    for (std::size_t i = first; i < mesh.size(); ++i) {
+        mesh[i].position = turned(mesh[i].position);
+        mesh[i].normal = turned(mesh[i].normal);
+    }
+}
+
+}  // namespace
+
+PersonFigure person_figure(std::size_t number) {
+    PersonFigure figure;
+    if (number == 0) return figure;
+    const std::array<glm::vec3, 9> shirts{{{0.55F, 0.53F, 0.48F},
+                                           {0.10F, 0.16F, 0.28F},
+                                           {0.30F, 0.24F, 0.14F},
+                                           {0.12F, 0.20F, 0.14F},
+                                           {0.50F, 0.22F, 0.05F},
+                                           {0.055F, 0.060F, 0.070F},
+                                           {0.42F, 0.36F, 0.10F},
+                                           {0.20F, 0.27F, 0.34F},
+                                           {0.26F, 0.06F, 0.11F}}};
+    const std::array<glm::vec3, 5> trousers{{{0.060F, 0.075F, 0.120F},
+                                             {0.23F, 0.185F, 0.120F},
+                                             {0.055F, 0.055F, 0.055F},
+                                             {0.13F, 0.13F, 0.095F},
+                                             {0.34F, 0.30F, 0.23F}}};
+    const std::array<glm::vec3, 4> skins{{{0.45F, 0.28F, 0.19F},
+                                          {0.34F, 0.20F, 0.13F},
+                                          {0.21F, 0.115F, 0.070F},
+                                          {0.095F, 0.055F, 0.038F}}};
+    const std::array<glm::vec3, 4> cloths{{{0.42F, 0.37F, 0.28F},
+                                           {0.60F, 0.58F, 0.53F},
+                                           {0.10F, 0.14F, 0.24F},
+                                           {0.22F, 0.15F, 0.08F}}};
+    const std::array<glm::vec3, 3> hairs{
+        {{0.022F, 0.018F, 0.015F}, {0.070F, 0.042F, 0.024F}, {0.21F, 0.15F, 0.085F}}};
+    RandomStream stream(number, 0, 0, Purpose::persons);
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * stream.uniform();
+    };
+    const auto one_of = [&](const auto& choices) {
+        return choices.at(stream.below(static_cast<std::uint32_t>(choices.size())));
+    };
+    figure.height = 0.5 * (between(1.58, 1.90) + between(1.58, 1.90));
+    figure.girth = between(0.90, 1.16);
+    const bool walks = stream.uniform() < 0.55;
+    figure.stride = walks ? between(0.09, 0.17) : between(0.0, 0.035);
+    figure.leading = stream.uniform() < 0.5 ? -1.0 : 1.0;
+    figure.elbows = walks ? between(0.0, 0.4) : between(0.0, 1.0);
+    figure.head_turn = between(-40.0, 40.0);
+    figure.pack = stream.uniform() < 0.5;
+    figure.headwear = static_cast<Headwear>(stream.below(4));
+    figure.trousers = one_of(trousers);
+    figure.shirt = one_of(shirts);
+    figure.skin = one_of(skins);
+    figure.on_head = figure.headwear == Headwear::hair ? one_of(hairs) : one_of(cloths);
+    return figure;
+}
+
+double person_facing(std::size_t number) {
+    constexpr double south = 180.0;
+    constexpr double farthest = 120.0;
+    if (number == 0) return south;
+    RandomStream stream(number, 1, 0, Purpose::persons);
+    return south + farthest * (2.0 * stream.uniform() - 1.0);
+}
+
+std::vector<PersonVertex> person_mesh(const PersonFigure& figure) {
+    std::vector<PersonVertex> mesh;
+    for (const double side : {-1.0, 1.0}) {
+        const double before = figure.stride * figure.leading * side;
+        add_leg(mesh, figure, side, before);
+        add_arm(mesh, figure, side, -0.77 * before);  // arms go with the other foot
+    }
+    add_trunk(mesh, figure);
+    add_head(mesh, figure);
     // To its height: hat and soles round it off.
     float lowest = mesh.front().position.z;
     float highest = lowest;
@@ -183,10 +299,12 @@ std::vector<PersonVertex> person_mesh() {
         lowest = std::min(lowest, corner.position.z);
         highest = std::max(highest, corner.position.z);
     }
-    const float scale = static_cast<float>(person_height) / (highest - lowest);
+    const float scale = static_cast<float>(figure.height) / (highest - lowest);
+    const glm::vec3 size(glm::vec2(scale * static_cast<float>(figure.girth)), scale);
     for (PersonVertex& corner : mesh) {
         corner.position.z -= lowest;
-        corner.position *= scale;
+        corner.position *= size;
+        corner.normal = glm::normalize(corner.normal / size);
     }
     return mesh;
 }

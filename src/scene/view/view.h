@@ -195,8 +195,8 @@ struct StreamerSettings {
 
 /// A person who stands on the bed, as a scale: 1.75 m tall.
 struct PersonSettings {
-    std::vector<double> at;  ///< metres east and north of the bed's south-western corner
-    double facing = 180.0;   ///< degrees clockwise from north
+    std::vector<double> at;          ///< metres east and north of the bed's south-western corner
+    WordOrReal facing{"auto", 0.0};  ///< degrees clockwise from north
 };
 
 enum class TrackKind { foot };

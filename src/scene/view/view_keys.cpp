@@ -11,10 +11,13 @@ void list_person_keys(PersonSettings& person, const std::string& path, KeyTable&
                     {.unit = "m",
                      .range = {-largest_coordinate, largest_coordinate},
                      .help = "east and north of the bed's south-western corner"});
-    table.real(path + ".facing", person.facing,
-               {.unit = "degrees",
-                .range = {-360, 360},
-                .help = "direction in which the person looks, clockwise from north"});
+    table.word_or_real(
+        path + ".facing", person.facing,
+        {{"auto", "south for the first person, others each within 120 degrees of that"}},
+        {.unit = "degrees",
+         .range = {-360, 360},
+         .help = "direction in which the person looks, clockwise from north",
+         .earlier = {"0.3.0", "180.0"}});
 }
 
 void list_track_keys(TrackSettings& track, const std::string& path, KeyTable& table) {
