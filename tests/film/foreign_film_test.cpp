@@ -330,10 +330,35 @@ TEST_F(ForeignFilm, APanelOfAFigureTakesAFileInPlaceOfAScene) {
               "\"hmax\"?\n");
     EXPECT_EQ(refused("[[figure.panel]]\nkind = \"map\"\nscene = \"none.nc\"\n"),
               "page.toml:7:9: none.nc: there is no such file of results\n");
-    EXPECT_EQ(refused("[[figure.panel]]\n[[figure.panel.curve]]\nscene = \"flood.nc\"\ny = "
-                      "\"mean_height\"\n"),
-              "page.toml:7:9: a curve needs a scene; `fumon measure "
-              "flood.nc` writes a table of these results, which table = \"file\" takes\n");
+    EXPECT_EQ(refused("[[figure.panel]]\nkind = \"section\"\nscene = \"flood.nc\"\n"),
+              "page.toml:6:8: a section needs a model with one (airflow), not static; heights "
+              "along a row are a profile\n");
+}
+
+TEST_F(ForeignFilm, ACurveTakesAFileInPlaceOfAScene) {
+    const auto figure = [&](const std::string& curve) {
+        write_text(folder_ / "page.toml",
+                   "title = \"A flood\"\n[figure]\nwidth = \"single\"\nformats = "
+                   "[\"svg\"]\n[[figure.panel]]\n[[figure.panel.curve]]\nscene = "
+                   "\"flood.nc\"\n" +
+                       curve);
+        return run({"figure", "page.toml", "-o", "out", "--force"});
+    };
+    const Ended made = figure("x = \"time\"\ny = \"mean_depth\"\n");
+    ASSERT_EQ(made.status, 0) << made.errors;
+    EXPECT_EQ(read_text(folder_ / "out/page-a-1.csv"),
+              "time (min),mean_depth (m),rows\n0,0.5,1\n30,0.75,1\n60,1,1\n");
+    const Ended again = run({"again", "out/page.svg", "-o", "again.svg"});
+    EXPECT_EQ(again.errors, "again.svg: the same bytes as out/page.svg\n");
+    const Ended profile = figure("table = \"profile\"\nstep = 1\nx = \"x\"\ny = \"water_level\"\n");
+    EXPECT_EQ(profile.status, 0) << profile.errors;
+    EXPECT_EQ(figure("table = \"avalanches\"\nx = \"size\"\ny = \"size\"\n").errors,
+              "page.toml:8:9: results of other models have measurements and profiles alone\n");
+    EXPECT_EQ(figure("seeds = 2\nx = \"time\"\ny = \"mean_depth\"\n").errors,
+              "page.toml:8:9: results of other models are one run; leave it out\n");
+    EXPECT_EQ(figure("table = \"profile\"\nstep = 9\nx = \"x\"\ny = \"height\"\n").errors,
+              "page.toml:9:8: flood.nc: has no record of step 9; its 3 records are of steps 0 to "
+              "2\n");
 }
 
 TEST_F(ForeignFilm, AGalleryShowsTheFilesOfAFolder) {
