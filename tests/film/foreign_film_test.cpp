@@ -1,6 +1,7 @@
 // Films and stills of the results of other models, as a user makes them.
 
 #include <gtest/gtest.h>
+#include <netcdf.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 
 #include "foreign/foreign_layouts.h"
 #include "picture/png.h"
+#include "support/netcdf_file.h"
 #include "support/program.h"
 
 namespace fumon::test {
@@ -361,7 +363,24 @@ TEST_F(ForeignFilm, ACurveTakesAFileInPlaceOfAScene) {
               "2\n");
 }
 
+/// Adds a number for each record to a file.
+void add_series(const fs::path& file, const char* name, const std::vector<double>& values) {
+    int id = 0;
+    int time = 0;
+    int series = 0;
+    must(nc_open(file.c_str(), NC_WRITE, &id));
+    must(nc_redef(id));
+    must(nc_inq_dimid(id, "time", &time));
+    must(nc_def_var(id, name, NC_DOUBLE, 1, &time, &series));
+    must(nc_put_att_text(id, series, "units", 2, "m3"));
+    must(nc_enddef(id));
+    must(nc_put_var_double(id, series, values.data()));
+    must(nc_close(id));
+}
+
 TEST_F(ForeignFilm, AGalleryShowsTheFilesOfAFolder) {
+    add_series(folder_ / "flood.nc", "water_volume", {10, 30, 20});
+    add_series(folder_ / "flood.nc", "constant", {1, 1, 1});
     fs::create_directory(folder_ / "results");
     fs::rename(folder_ / "flood.nc", folder_ / "results/flood.nc");
     write_text(folder_ / "results/bad.nc", "mine");
@@ -370,8 +389,12 @@ TEST_F(ForeignFilm, AGalleryShowsTheFilesOfAFolder) {
     EXPECT_TRUE(made.errors.starts_with("results/bad.nc: cannot be read as NetCDF")) << made.errors;
     EXPECT_EQ(read_png(folder_ / "site/files/flood.png").width, 1280);
     const std::string page = read_text(folder_ / "site/index.html");
-    for (const char* told : {"of SFINCS", "fumon still flood.nc --step 2 -o flood.png"})
+    for (const char* told :
+         {"of SFINCS", "fumon still flood.nc --step 2 -o flood.png",
+          "Plot of the water volume over time: between 10 and 30, at the end 20"})
         EXPECT_NE(page.find(told), std::string::npos) << told;
+    EXPECT_TRUE(fs::exists(folder_ / "site/files/flood-plot-1.svg"));
+    EXPECT_FALSE(fs::exists(folder_ / "site/files/flood-plot-2.svg"));
     const Ended bad = run({"gallery", "results/bad.nc", "-o", "other"});
     EXPECT_EQ(bad.status, 2);
     EXPECT_FALSE(fs::exists(folder_ / "other"));
