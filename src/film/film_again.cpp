@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
-#include <system_error>
 #include <utility>
 #include <vector>
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 
 #include "base/elementary.h"
 #include "base/error.h"
@@ -50,6 +51,21 @@ void draw_scale(Canvas& canvas, const CanvasBox& box, const std::vector<double>&
         canvas.stroke(mark, line, pale_ink);
     }
     canvas.fill_circle({place(own), middle}, 0.24 * canvas.font_size(), white_ink);
+}
+
+/// What stands above a run: of other models' results the file, and the model where these differ.
+std::string label_of(const Film& film, const FilmRuns& runs, std::size_t run) {
+    const auto model_of = [&](std::size_t one) {
+        const ForeignRun* foreign = runs.beds(one).foreign();
+        return foreign == nullptr ? std::string("fumon") : foreign->model;
+    };
+    if (!film.panes.label.empty() || runs.beds(run).foreign() == nullptr)
+        return runs.label(film, run);
+    const std::string own = model_of(run);
+    bool differs = false;
+    for (std::size_t one = 0; one < runs.size(); ++one) differs |= model_of(one) != own;
+    const std::string file = std::filesystem::path(runs.beds(run).name()).filename().string();
+    return differs && !own.empty() ? fmt::format("{}: {}", own, file) : file;
 }
 
 /// A label in the middle of a strip, and what varies beside it; smaller where it is too long.
@@ -143,17 +159,18 @@ void Panes::write_labels(const Film& film, const FilmRuns& runs) {
     };
     if (film.panes.show == PanesShow::grid) {
         for (std::size_t run = 0; run < runs.size(); ++run)
-            draw_label(canvas, strip_of(boxes_[run]), runs.label(film, run), values, run, font_);
+            draw_label(canvas, strip_of(boxes_[run]), label_of(film, runs, run), values, run,
+                       font_);
     } else if (film.panes.show == PanesShow::wipe) {
         CanvasBox half = strip_of(boxes_.front());
         half.width *= 0.5;
-        draw_label(canvas, half, runs.label(film, 0), values, 0, font_);
+        draw_label(canvas, half, label_of(film, runs, 0), values, 0, font_);
         half.x += half.width;
-        draw_label(canvas, half, runs.label(film, 1), values, 1, font_);
+        draw_label(canvas, half, label_of(film, runs, 1), values, 1, font_);
     } else {
         draw_label(canvas, strip_of(boxes_.front()),
-                   fmt::format("{}  minus  {}", runs.label(film, 0), runs.label(film, 1)), {}, 0,
-                   font_);
+                   fmt::format("{}  minus  {}", label_of(film, runs, 0), label_of(film, runs, 1)),
+                   {}, 0, font_);
     }
     missing_ = canvas.missing_letters();
     ground_ = canvas.image();

@@ -35,7 +35,9 @@ std::string without_brackets(std::string text) {
     return text;
 }
 
-std::vector<double> values_of(const NetcdfInput& input, int variable, int dimension) {
+}  // namespace
+
+std::vector<double> values_along(const NetcdfInput& input, int variable, int dimension) {
     std::vector<double> values(input.dimension_length(dimension));
     if (values.empty()) return values;
     check_netcdf(nc_get_var_double(input.id(), variable, values.data()));
@@ -52,8 +54,6 @@ std::vector<double> values_of(const NetcdfInput& input, int variable, int dimens
     }
     return values;
 }
-
-}  // namespace
 
 std::optional<int> time_variable(const NetcdfInput& input, int dimension) {
     const auto over = [&](int variable) {
@@ -83,7 +83,7 @@ RawTimes netcdf_times(const NetcdfInput& input, int dimension, const std::string
             times.values.push_back(static_cast<double>(i));
         return times;
     }
-    times.values = values_of(input, *variable, dimension);
+    times.values = values_along(input, *variable, dimension);
     std::string unit = input.text(*variable, "units").value_or("");
     const std::string name = input.variable_name(*variable);
     const std::size_t at = unit.find(since);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "files/netcdf/netcdf_input.h"
 #include "foreign/run_times.h"
@@ -18,5 +19,8 @@ RawTimes netcdf_times(const NetcdfInput& input, int dimension, const std::string
 
 /// The variable that netcdf_times() reads; nothing where records are counted.
 std::optional<int> time_variable(const NetcdfInput& input, int dimension);
+
+/// The values of a variable along its only dimension; NaN where it has none.
+std::vector<double> values_along(const NetcdfInput& input, int variable, int dimension);
 
 }  // namespace fumon

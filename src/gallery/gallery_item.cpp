@@ -260,12 +260,22 @@ class Gathering {
         if (is_file(file)) item.files.push_back({item.name + ending, file});
     }
 
+    static void add_plots(GalleryItem& item, std::vector<MeasurementPlot> plots) {
+        for (MeasurementPlot& plot : plots)
+            item.plots.push_back({fmt::format("{}-plot-{}.svg", item.name, item.plots.size() + 1),
+                                  {},
+                                  std::move(plot.svg),
+                                  std::move(plot.description)});
+    }
+
     /// Of a NetCDF file.
     void add_results(const fs::path& file) {
         GalleryItem item;
+        std::vector<MeasurementPlot> plots;
         try {
             const ForeignRun results = open_foreign_run(file.string());
             item.title = results.title;
+            plots = series_plots(time_series(results), results.times);
             const std::string recognised = foreign_description(results);
             for (std::size_t begin = 0; begin < recognised.size();) {
                 const std::size_t end = std::min(recognised.find('\n', begin), recognised.size());
@@ -286,6 +296,7 @@ class Gathering {
         GalleryFile picture{item.name + ".png", {}};
         picture.results = file;
         item.files.push_back(std::move(picture));
+        add_plots(item, std::move(plots));
         items_.push_back(std::move(item));
     }
 
@@ -322,12 +333,7 @@ class Gathering {
             }
         }
         if (is_file(folder / "measurements.csv")) {
-            int number = 0;
-            for (MeasurementPlot& plot : measurement_plots(folder / "measurements.csv"))
-                item.plots.push_back({fmt::format("{}-plot-{}.svg", item.name, ++number),
-                                      {},
-                                      std::move(plot.svg),
-                                      std::move(plot.description)});
+            add_plots(item, measurement_plots(folder / "measurements.csv"));
             item.files.push_back({item.name + ".csv", folder / "measurements.csv"});
         }
         if (item.files.empty()) return;

@@ -56,10 +56,15 @@ std::string described(const TableColumn& time, const TableColumn& column) {
                        std::ranges::max(values), values.back());
 }
 
+std::string label_of(const TableColumn& column) {
+    const std::string words = in_words(column.name);
+    return column.unit.empty() ? words : fmt::format("{} ({})", words, column.unit);
+}
+
 std::string drawn(const TableColumn& time, const TableColumn& column) {
     Plot plot;
-    plot.x.label = in_words(time.name);
-    plot.y.label = in_words(column.name);
+    plot.x.label = label_of(time);
+    plot.y.label = label_of(column);
     PlotSeries line;
     line.x = time.values;
     line.y = column.values;
@@ -87,6 +92,20 @@ std::vector<MeasurementPlot> measurement_plots(const std::filesystem::path& meas
         const bool little = std::ranges::find(of_little_news, column.name) != of_little_news.end();
         if (little || !changes(column)) continue;
         plots.push_back({drawn(*time, column), described(*time, column)});
+        if (plots.size() == most_plots) break;
+    }
+    return plots;
+}
+
+std::vector<MeasurementPlot> series_plots(const std::vector<TimeSeries>& series,
+                                          const ForeignTimes& times) {
+    const bool has_unit = times.unit != "steps";
+    const TableColumn time{has_unit ? "time" : "step", has_unit ? times.unit : "", times.times};
+    std::vector<MeasurementPlot> plots;
+    for (const TimeSeries& one : series) {
+        const TableColumn column{one.name, one.unit, one.values};
+        if (!changes(column)) continue;
+        plots.push_back({drawn(time, column), described(time, column)});
         if (plots.size() == most_plots) break;
     }
     return plots;

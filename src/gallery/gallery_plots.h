@@ -4,6 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "foreign/foreign_run.h"
+#include "foreign/time_series.h"
+
 namespace fumon {
 
 struct MeasurementPlot {
@@ -14,5 +17,9 @@ struct MeasurementPlot {
 /// Plots of a run's measurements over its time: one for each of its first columns that
 /// change, at most four. Throws InputError for a damaged table.
 std::vector<MeasurementPlot> measurement_plots(const std::filesystem::path& measurements);
+
+/// The same of numbers for each record of another model's run.
+std::vector<MeasurementPlot> series_plots(const std::vector<TimeSeries>& series,
+                                          const ForeignTimes& times);
 
 }  // namespace fumon

@@ -65,7 +65,8 @@ std::string section_csv(const SnapshotSection& section, SectionPanel panel) {
 
 void check_section(const PanelSettings& settings, const Scene& scene, const Snapshot& first) {
     if (!first.section) {
-        throw KeyError("kind", fmt::format("a section needs a model with one ({}), not {}",
+        throw KeyError("kind", fmt::format("a section needs a model with one ({}), not {}; heights "
+                                           "along a row are a profile",
                                            models_of(Landform::air), scene.model.name));
     }
     SectionSettings wanted;

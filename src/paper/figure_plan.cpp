@@ -148,12 +148,8 @@ class Planner {
     }
 
     std::optional<CurvePlan> read_curve(const CurveSettings& settings, const std::string& path) {
-        if (!settings.scene.empty() && names_results(plan_.scene.directory / settings.scene)) {
-            refuse(path + ".scene",
-                   fmt::format("a curve needs a scene; `fumon measure {}` writes a table of these "
-                               "results, which table = \"file\" takes",
-                               settings.scene));
-        }
+        if (!settings.scene.empty() && names_results(plan_.scene.directory / settings.scene))
+            return results_curve(settings, path);
         CurvePlan curve{settings, path, {}, {}, plan_.scene, 0, {}};
         if (settings.table == CurveTable::expression) return curve;
         if (settings.table == CurveTable::file) {
@@ -168,6 +164,27 @@ class Planner {
             if (!curve.sweep) return std::nullopt;
             add_runs(curve);
         }
+        check_columns(curve);
+        return curve;
+    }
+
+    /// A curve of another model's results, which have one run.
+    CurvePlan results_curve(const CurveSettings& settings, const std::string& path) {
+        if (!settings.over.empty() || settings.seeds > 0)
+            refuse(path + (settings.over.empty() ? ".seeds" : ".over"),
+                   "results of other models are one run; leave it out");
+        Scene scene = parse_scene(scene_text(settings.scene, path + ".scene"),
+                                  changes(settings.scene, settings.set, path + ".set"));
+        sources_.find_inputs(scene);
+        const auto results = at(path + ".scene", [&] { return open_results(scene, "bed"); });
+        PreparedScene prepared = prepare_results(std::move(scene), *results);
+        note(prepared.initial);
+        CurvePlan curve{settings, path, {}, {}, std::move(prepared.scene), 0, {}};
+        curve.settings.file = settings.scene;  // as captions name what is drawn
+        const char* asked = settings.table == CurveTable::profile ? ".step" : ".table";
+        curve.table = at(path + asked, [&] {
+            return results_table(settings.table, curve.scene, *results, settings.step);
+        });
         check_columns(curve);
         return curve;
     }

@@ -18,6 +18,7 @@
 #include "models/air/airflow_parameters.h"
 #include "models/air/grain_flight.h"
 #include "models/registry.h"
+#include "paper/store/results.h"
 #include "scene/uses_metres.h"
 
 namespace fumon {
@@ -217,6 +218,32 @@ Table curve_columns(CurveTable table, const Scene& scene, const Snapshot& first)
         default:
             return profile_columns(first);
     }
+}
+
+Table results_table(CurveTable table, const Scene& scene, const ForeignRun& results,
+                    std::int64_t step) {
+    if (table == CurveTable::profile) {
+        const Snapshot snapshot =
+            snapshot_of_results(results, step < 0 ? results.times.steps.back() : step);
+        return profile_rows(snapshot, profile_columns(snapshot));
+    }
+    if (table != CurveTable::measurements)
+        throw InputError("results of other models have measurements and profiles alone");
+    const Snapshot first = foreign_snapshot(results, 0);
+    Table rows =
+        columns({{"step", ""}, {"time", first.time_unit == "steps" ? "" : first.time_unit}});
+    MeasureSuite suite(measured_landform(first), first,
+                       {scene.output.channel_area, first.scale.in_metres});
+    for (const MeasureColumn& column : suite.columns())
+        rows.columns.push_back({column.name, column.unit});
+    for (std::size_t record = 0; record < results.times.steps.size(); ++record) {
+        const std::vector<double> values = suite.row(foreign_snapshot(results, record));
+        rows.columns[0].values.push_back(static_cast<double>(results.times.steps[record]));
+        rows.columns[1].values.push_back(results.times.times[record]);
+        for (std::size_t k = 0; k < values.size(); ++k)
+            rows.columns[k + 2].values.push_back(values[k]);
+    }
+    return rows;
 }
 
 Table curve_table(const CurvePlan& curve, const FigureRuns& runs, const RunStore& store) {

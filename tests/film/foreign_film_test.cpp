@@ -1,6 +1,7 @@
 // Films and stills of the results of other models, as a user makes them.
 
 #include <gtest/gtest.h>
+#include <netcdf.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 
 #include "foreign/foreign_layouts.h"
 #include "picture/png.h"
+#include "support/netcdf_file.h"
 #include "support/program.h"
 
 namespace fumon::test {
@@ -209,6 +211,35 @@ TEST_F(ForeignFilm, AFilmByRuleIsPrintedAndColoured) {
     EXPECT_EQ(checked.status, 0) << checked.errors;
 }
 
+TEST_F(ForeignFilm, TwoRunsAreNamedByTheirFilesAndTheirWatersDiffer) {
+    const std::string one_frame =
+        "[film]\nwidth = 160\nheight = 120\nrate = 5\nsupersampling = 1\n[[shot]]\n"
+        "seconds = 0.2\n";
+    write_text(folder_ / "film.toml", one_frame);
+    fs::create_directory(folder_ / "b");
+    fs::copy(folder_ / "flood.nc", folder_ / "b/flood.nc");
+    const Ended alike =
+        run({"film", "flood.nc", "b/flood.nc", "film.toml", "--no-cache", "-o", "alike_%02d.png"});
+    ASSERT_EQ(alike.status, 0) << alike.errors;
+    const Ended told = run({"film", "flood.nc", "b/flood.nc", "film.toml", "--no-cache", "-o",
+                            "told_%02d.png", "--set", "panes.label=flood.nc"});
+    ASSERT_EQ(told.status, 0) << told.errors;
+    EXPECT_EQ(read_png(folder_ / "alike_00.png"), read_png(folder_ / "told_00.png"));
+    write_text(folder_ / "difference.toml",
+               one_frame + "[[overlay]]\nkind = \"colour-bar\"\n[panes]\nshow = \"difference\"\n");
+    const auto difference = [&](const std::string& name, std::vector<std::string> look) {
+        look.insert(look.begin(), {"film", "flood.nc", "b/flood.nc", "difference.toml",
+                                   "--no-cache", "-o", name + "_%02d.png"});
+        const Ended made = run(look);
+        EXPECT_EQ(made.status, 0) << made.errors;
+        return read_png(folder_ / (name + "_00.png"));
+    };
+    const Image depth = difference("depth", {"--set", "look.colour_by=water-depth"});
+    EXPECT_EQ(depth, difference("field", {"--set", "look.colour_by=field", "--set",
+                                          "look.field=water_depth"}));
+    EXPECT_NE(depth, difference("heights", {}));
+}
+
 TEST_F(ForeignFilm, AHeapOnAFlatIsWhatAFilmByRuleShows) {
     const std::string head = "ncols 12\nnrows 8\nxllcorner 0\nyllcorner 0\ncellsize 5\n";
     for (const int record : {1, 2}) {
@@ -226,7 +257,9 @@ TEST_F(ForeignFilm, AHeapOnAFlatIsWhatAFilmByRuleShows) {
     }
     const Ended printed = run({"film", "sand_*.asc", "--field", "depth=water_*.asc", "--print"});
     EXPECT_NE(printed.output.find("# close to the highest"), std::string::npos) << printed.output;
-    EXPECT_EQ(printed.output.find("stream"), std::string::npos) << printed.output;
+    for (const char* absent : {"stream", "cover ="})
+        EXPECT_EQ(printed.output.find(absent), std::string::npos) << printed.output;
+    EXPECT_NE(printed.output.find("title = \"Sand\""), std::string::npos) << printed.output;
 }
 
 TEST_F(ForeignFilm, AColouredFilmIsMadeAgainFromItsFile) {
@@ -329,13 +362,55 @@ TEST_F(ForeignFilm, APanelOfAFigureTakesAFileInPlaceOfAScene) {
               "\"hmax\"?\n");
     EXPECT_EQ(refused("[[figure.panel]]\nkind = \"map\"\nscene = \"none.nc\"\n"),
               "page.toml:7:9: none.nc: there is no such file of results\n");
-    EXPECT_EQ(refused("[[figure.panel]]\n[[figure.panel.curve]]\nscene = \"flood.nc\"\ny = "
-                      "\"mean_height\"\n"),
-              "page.toml:7:9: a curve needs a scene; `fumon measure "
-              "flood.nc` writes a table of these results, which table = \"file\" takes\n");
+    EXPECT_EQ(refused("[[figure.panel]]\nkind = \"section\"\nscene = \"flood.nc\"\n"),
+              "page.toml:6:8: a section needs a model with one (airflow), not static; heights "
+              "along a row are a profile\n");
+}
+
+TEST_F(ForeignFilm, ACurveTakesAFileInPlaceOfAScene) {
+    const auto figure = [&](const std::string& curve) {
+        write_text(folder_ / "page.toml",
+                   "title = \"A flood\"\n[figure]\nwidth = \"single\"\nformats = "
+                   "[\"svg\"]\n[[figure.panel]]\n[[figure.panel.curve]]\nscene = "
+                   "\"flood.nc\"\n" +
+                       curve);
+        return run({"figure", "page.toml", "-o", "out", "--force"});
+    };
+    const Ended made = figure("x = \"time\"\ny = \"mean_depth\"\n");
+    ASSERT_EQ(made.status, 0) << made.errors;
+    EXPECT_EQ(read_text(folder_ / "out/page-a-1.csv"),
+              "time (min),mean_depth (m),rows\n0,0.5,1\n30,0.75,1\n60,1,1\n");
+    const Ended again = run({"again", "out/page.svg", "-o", "again.svg"});
+    EXPECT_EQ(again.errors, "again.svg: the same bytes as out/page.svg\n");
+    const Ended profile = figure("table = \"profile\"\nstep = 1\nx = \"x\"\ny = \"water_level\"\n");
+    EXPECT_EQ(profile.status, 0) << profile.errors;
+    EXPECT_EQ(figure("table = \"avalanches\"\nx = \"size\"\ny = \"size\"\n").errors,
+              "page.toml:8:9: results of other models have measurements and profiles alone\n");
+    EXPECT_EQ(figure("seeds = 2\nx = \"time\"\ny = \"mean_depth\"\n").errors,
+              "page.toml:8:9: results of other models are one run; leave it out\n");
+    EXPECT_EQ(figure("table = \"profile\"\nstep = 9\nx = \"x\"\ny = \"height\"\n").errors,
+              "page.toml:9:8: flood.nc: has no record of step 9; its 3 records are of steps 0 to "
+              "2\n");
+}
+
+/// Adds a number for each record to a file.
+void add_series(const fs::path& file, const char* name, const std::vector<double>& values) {
+    int id = 0;
+    int time = 0;
+    int series = 0;
+    must(nc_open(file.c_str(), NC_WRITE, &id));
+    must(nc_redef(id));
+    must(nc_inq_dimid(id, "time", &time));
+    must(nc_def_var(id, name, NC_DOUBLE, 1, &time, &series));
+    must(nc_put_att_text(id, series, "units", 2, "m3"));
+    must(nc_enddef(id));
+    must(nc_put_var_double(id, series, values.data()));
+    must(nc_close(id));
 }
 
 TEST_F(ForeignFilm, AGalleryShowsTheFilesOfAFolder) {
+    add_series(folder_ / "flood.nc", "water_volume", {10, 30, 20});
+    add_series(folder_ / "flood.nc", "constant", {1, 1, 1});
     fs::create_directory(folder_ / "results");
     fs::rename(folder_ / "flood.nc", folder_ / "results/flood.nc");
     write_text(folder_ / "results/bad.nc", "mine");
@@ -344,8 +419,12 @@ TEST_F(ForeignFilm, AGalleryShowsTheFilesOfAFolder) {
     EXPECT_TRUE(made.errors.starts_with("results/bad.nc: cannot be read as NetCDF")) << made.errors;
     EXPECT_EQ(read_png(folder_ / "site/files/flood.png").width, 1280);
     const std::string page = read_text(folder_ / "site/index.html");
-    for (const char* told : {"of SFINCS", "fumon still flood.nc --step 2 -o flood.png"})
+    for (const char* told :
+         {"of SFINCS", "fumon still flood.nc --step 2 -o flood.png",
+          "Plot of the water volume over time: between 10 and 30, at the end 20"})
         EXPECT_NE(page.find(told), std::string::npos) << told;
+    EXPECT_TRUE(fs::exists(folder_ / "site/files/flood-plot-1.svg"));
+    EXPECT_FALSE(fs::exists(folder_ / "site/files/flood-plot-2.svg"));
     const Ended bad = run({"gallery", "results/bad.nc", "-o", "other"});
     EXPECT_EQ(bad.status, 2);
     EXPECT_FALSE(fs::exists(folder_ / "other"));

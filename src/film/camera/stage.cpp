@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "base/error.h"
 #include "drape/lay_layers.h"
@@ -47,6 +48,25 @@ void lay_layers_of(const Film& film, const StoredBeds& beds, const std::vector<O
 
 }  // namespace
 
+namespace {
+
+/// Lets a difference of two runs be of the water where it colours, and its bar say so.
+void name_difference(View& view) {
+    LookSettings& look = view.look;
+    if (look.colour_by == Colouring::water_depth) {
+        look.colour_by = Colouring::field;
+        look.field = "water_depth";
+    }
+    if (look.colour_by != Colouring::field && look.colour_by != Colouring::field_change) return;
+    std::string words = look.field;
+    std::ranges::replace(words, '_', ' ');
+    for (OverlaySettings& overlay : view.overlays)
+        if (overlay.kind == OverlayKind::colour_bar && overlay.text.empty())
+            overlay.text = "difference of " + words;
+}
+
+}  // namespace
+
 FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& size,
                      const std::vector<Override>& looks) {
     FilmStage stage{with_looks(beds.scene(), film, looks), {}};
@@ -68,6 +88,7 @@ FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& s
     view.camera.turn = 0.0;
     view.camera.roll = 0.0;
     view.overlays = film.overlays;
+    if (film.panes.show == PanesShow::difference) name_difference(view);
     if (film.settings.background == FilmBackground::transparent) {
         view.look.background = Background::transparent;
         if (view.look.ground == Ground::endless) {

@@ -104,7 +104,9 @@ class RuledFilm {
         std::string text =
             "ground = \"endless\"      # invented land around the bed; without this "
             "line the block on its table\n";
-        if (plain) text += "cover = \"auto\"          # grass, soil and rock by rule, not data\n";
+        const bool is_sand = look_.largest == "highest";
+        if (plain && !is_sand)
+            text += "cover = \"auto\"          # grass, soil and rock by rule, not data\n";
         text += "survey_edge = \"line\"    # where the data end\ncontrast = 1.1\n";
         return text;
     }

@@ -279,7 +279,8 @@ bool is_surveyed_land(const StoredBeds& beds, const View& view) {
 
 std::string title_of(const Scene& scene) {
     std::string name = std::filesystem::path(scene.bed.file).stem().string();
-    if (name.empty() || (!scene.title.empty() && scene.title != name)) return scene.title;
+    if (name.empty() || !name.starts_with(scene.title)) return scene.title;
+    if (!scene.title.empty()) name = scene.title;
     std::ranges::replace(name, '_', ' ');
     if (!name.empty() && name[0] >= 'a' && name[0] <= 'z')
         name[0] = static_cast<char>(name[0] - 'a' + 'A');
