@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "base/snapshot_lookup.h"
+#include "base/grid.h"
 
 namespace fumon {
 
@@ -58,10 +60,9 @@ Mask flooded(const Snapshot& snapshot, double height) {
 }  // namespace
 
 bool add_sea(Snapshot& snapshot, double level) {
+    if (snapshot.periodic) return false;
     const double unit = snapshot.scale.height_unit;
     const Mask sea = flooded(snapshot, level / unit);
-    if (snapshot.periodic || std::ranges::all_of(sea.values(), [](auto cell) { return cell == 0; }))
-        return false;
     Grid& depth = field_to_fill(snapshot, "water_depth", "m");
     for (std::size_t i = 0; i < depth.size(); ++i) {
         if (sea.values()[i] == 0) continue;

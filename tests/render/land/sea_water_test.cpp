@@ -58,9 +58,11 @@ TEST(SeaWater, LeavesDeeperWater) {
     EXPECT_DOUBLE_EQ(depth(7, 2), 1.0);
 }
 
-TEST(SeaWater, NoneWithoutLowGroundOrAnEdge) {
+TEST(SeaWater, AllBedsButPeriodicOnesHaveItsFields) {
     Snapshot bed = coast();
-    EXPECT_FALSE(add_sea(bed, -2.5)) << "the hollow alone";
+    EXPECT_TRUE(add_sea(bed, -2.5)) << "over the hollow alone";
+    EXPECT_EQ(*field_of(bed.fields, "water_depth"), Grid(8, 5));
+    bed = coast();
     bed.periodic = true;
     EXPECT_FALSE(add_sea(bed, 5.0));
     EXPECT_TRUE(bed.fields.empty());
