@@ -5,7 +5,6 @@
 #include <any>
 #include <string>
 
-#include "base/error.h"
 #include "models/dunes/setup/dunes_parameters.h"
 #include "scene/read.h"
 #include "scene/scene_keys.h"

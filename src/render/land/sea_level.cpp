@@ -17,7 +17,8 @@ constexpr float inner_within = 5.0F;  // cells
 std::optional<double> sea_level(const Grid& surface, const Field<float>& depth, double tolerance) {
     double lowest = 1e300;
     for (std::size_t i = 0; i < surface.size(); ++i)
-        if (depth.values()[i] > 0.0F) lowest = std::min(lowest, surface.values()[i]);
+        if (depth.values()[i] > 0.0F && depth.values()[i] <= edge_within)
+            lowest = std::min(lowest, surface.values()[i]);
     const auto is_level = [&](float from, float within) {
         std::size_t level = 0;
         std::size_t all = 0;

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/snapshots/ground_range.h"
+#include "render/land/sea_water.h"
 #include "render/view/ground_choice.h"
 #include "render/view/surrounding_plain.h"
 
@@ -202,6 +203,18 @@ int cells_averaged(const Snapshot& snapshot, const View& view) {
     return std::max(needed, longer / std::max(pixels, least_drawn));
 }
 
+std::optional<Snapshot> reshaped(const Snapshot& snapshot, const View& view) {
+    const int nx = snapshot.bed.nx();
+    const int ny = snapshot.bed.ny();
+    if (ny == 1 && nx > 1) return as_strip(snapshot, view.look);
+    const int k = cells_averaged(snapshot, view);
+    if (k > 1) return coarser(snapshot, k);
+    if (!draws_poured_sand(snapshot, view.look)) return std::nullopt;
+    Snapshot shown = snapshot;
+    shown.bed = smoothed_heights(std::move(shown.bed));
+    return shown;
+}
+
 }  // namespace
 
 bool draws_poured_sand(const Snapshot& snapshot, const LookSettings& look) {
@@ -216,15 +229,11 @@ const Snapshot& drawable(const Snapshot& snapshot) {
 }
 
 std::optional<Snapshot> shown_snapshot(const Snapshot& snapshot, const View& view) {
-    const int nx = snapshot.bed.nx();
-    const int ny = snapshot.bed.ny();
-    if (ny == 1 && nx > 1) return as_strip(snapshot, view.look);
-    const int k = cells_averaged(snapshot, view);
-    if (k > 1) return coarser(snapshot, k);
-    if (!draws_poured_sand(snapshot, view.look)) return std::nullopt;
-    Snapshot shown = snapshot;
-    shown.bed = smoothed_heights(std::move(shown.bed));
-    return shown;
+    std::optional<Snapshot> shown = reshaped(snapshot, view);
+    if (view.look.sea_level.is_word()) return shown;
+    Snapshot coast = shown ? std::move(*shown) : snapshot;
+    if (add_sea(coast, view.look.sea_level.value)) return coast;
+    return shown ? std::optional(std::move(coast)) : std::nullopt;
 }
 
 }  // namespace fumon

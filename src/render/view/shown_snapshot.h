@@ -20,7 +20,8 @@ const Snapshot& drawable(const Snapshot& snapshot);
 /// - a bed of far more cells than the picture has pixels becomes one of fewer, each the mean of
 ///   k × k: where the whole block is in the picture (camera.distance = "fit"), as many as leave at
 ///   least one cell a pixel along the longer sides of both, and 1024 cells; else, where it has more
-///   than 8192 cells on a side, no more than these.
+///   than 8192 cells on a side, no more than these;
+/// - a coast has the water of look.sea_level, see add_sea().
 ///
 /// Nothing when the snapshot is drawn as it is.
 std::optional<Snapshot> shown_snapshot(const Snapshot& snapshot, const View& view);

@@ -29,15 +29,27 @@ constexpr double begins_within = 10.0;     // cells from the bed
 constexpr double ends_within = 4.0;        // cells: water that no valley takes
 constexpr double coast_begins_within = 6.0;
 constexpr double least_stream = 3.0;  // of closed_depth: of streams and lakes
+constexpr double rim_share = 0.125;   // of the bed's shorter side
+constexpr double gentler_rim = 0.85;  // of the bed's mean gradient: land around it is gentler, too
+
+/// Of the cells that lie within so many of the edge; `depth`: how many each lies within.
+double rim_gradient(const Grid& heights, const Field<float>& depth, double cells, double dx,
+                    double dy) {
+    Mask others(heights.nx(), heights.ny());
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        const auto within = static_cast<double>(depth.values()[i]);
+        others.values()[i] = within > 0.0 && within <= cells ? 0 : 1;
+    }
+    return mean_gradient(heights, others, dx, dy);
+}
 
 }  // namespace
 
 void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
     const double dx = first.scale.dx;
     const double dy = first.scale.dy;
-    const LandRelief relief = relief_of(first.bed, first.nodata, dx, dy);
-    const double gradient = relief.gradient;
-    if (!(gradient > 0.0)) return;
+    LandRelief relief = relief_of(first.bed, first.nodata, dx, dy);
+    if (!(relief.gradient > 0.0)) return;
     const Grid heights = in_tile(first.bed);
     const Field<float> depth = distances_to(outside);
     Grid surface = heights;
@@ -50,6 +62,10 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
         make_coast(first, outside, *sea_);
         return;
     }
+    // A lone mountain's foot goes on as a foot does.
+    const double rim = rim_gradient(heights, depth, rim_share * std::min(bed_nx_, bed_ny_), dx, dy);
+    if (rim > 0.0) relief.gradient = std::min(relief.gradient, rim / gentler_rim);
+    const double gradient = relief.gradient;
     const SlopeByArea slopes(first.bed, first.nodata, dx, dy);
     const int margin = std::min(west_, south_);
     DrainedTile tile = drained_tile(relief_, slopes, relief, dx, dy, wander_share * margin);
@@ -269,7 +285,8 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, const Surroundings& a
     set("water_depth", far_depth, [&](int x, int y, double continued) {
         const double sea = sea_ ? *sea_ - maps.bed(x, y) : 0.0;
         if (sea > film) return sea;
-        return std::max(stream(x, y), std::lerp(film, std::max(continued, 0.0), share(x, y)));
+        const double beside = sea_ ? film : std::max(continued, 0.0);  // the sea wets no land
+        return std::max(stream(x, y), std::lerp(film, beside, share(x, y)));
     });
     const auto way = [&](int x, int y, bool east) {
         const std::int32_t next = downstream_(x, y);

@@ -185,6 +185,12 @@ void list_ground_keys(LookSettings& look, KeyTable& table) {
           "by rule, as a look and not as data: rock where land is steep, grass where it is "
           "wet or faces north, soil, and snow above look.snow_line"}},
         {.help = "what covers terrain, with any model of it, in natural colours"});
+    table.word_or_real(
+        "look.sea_level", look.sea_level, {{"none", "no sea"}},
+        {.unit = "m",
+         .range = {-1e4, 1e4},
+         .help = "still water that is drawn over ground below this height, in the bed's heights, "
+                 "as far as it hangs together with the bed's edge; no model knows of it"});
     table.word_or_real("look.snow_line", look.snow_line, {{"none", "no snow"}},
                        {.unit = "m",
                         .range = {-1e4, 1e4},

@@ -131,6 +131,7 @@ struct LookSettings {
     BlockSides sides = BlockSides::plain;
     bool strata = false;  ///< layers and stones below the grid, on surfaces of real terrain
     LandCover cover = LandCover::bare;
+    WordOrReal sea_level{"none", 0.0};  ///< of still water that is drawn over low ground, metres
     WordOrReal snow_line{"none", 0.0};  ///< of a cover by rule, in the bed's heights, metres
     SandKind sand = SandKind::quartz;
     double grain = 0.5;  ///< visible texture of the sand, 0 … 1

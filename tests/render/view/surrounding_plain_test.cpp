@@ -332,6 +332,16 @@ TEST(SurroundingLand, HasWaterOfOneLevelInTheSea) {
     }
 }
 
+TEST(SurroundingLand, LeavesLandByTheSeaDry) {
+    Snapshot bed = coast(8.0);
+    bed.bed(10, 20) = -20.0;  // a dry hollow
+    const PlainMaps in(bed);
+    const Grid& depth = *field_of(in.maps.fields, "water_depth");
+    EXPECT_NEAR(depth(in.nx + 5, 5), 8.0, 4.0) << "is no level of the sea";
+    for (int y = in.south + 5; y < in.south + bed_ny - 5; ++y)
+        for (int away = 1; away <= 6; ++away) ASSERT_LT(depth(in.west - away, y), 1e-3);
+}
+
 TEST(SurroundingLand, TakesNoRowOfEqualHeightsForTheSea) {
     Snapshot bed = valley();
     for (int x = 0; x < bed_nx; ++x) bed.bed(x, 0) = -2.0;
@@ -376,6 +386,18 @@ TEST(SurroundingLand, HasNoWallAroundALoneMountain) {
     }
     const double own = largest_step(bed.bed, 0, 10, 0, foot_cells);
     EXPECT_LT(worst, 3.0 * own) << "its summit does not lift the land beyond its feet";
+}
+
+TEST(SurroundingLand, IsAsGentleAsTheFootOfALoneMountain) {
+    const Snapshot bed = volcano();
+    const PlainMaps in(bed);
+    Mask within(foot_cells, foot_cells);
+    for (int y = 12; y + 12 < foot_cells; ++y)
+        for (int x = 12; x + 12 < foot_cells; ++x) within(x, y) = 1;
+    const double foot = mean_gradient(bed.bed, within, 80.0, 80.0);
+    const double whole = mean_gradient(bed.bed, {}, 80.0, 80.0);
+    ASSERT_LT(1.4 * foot, whole);
+    EXPECT_NEAR(mean_gradient(tile_from(in, in.nx), {}, 80.0, 80.0), foot, 0.25 * foot);
 }
 
 TEST(SurroundingPlain, TellsInventedGroundFromTheBedAndItsMaskedCells) {
