@@ -173,11 +173,24 @@ TEST(WorldLayer, ALowSunGetsMoreContrastAndLessLight) {
         other.look.exposure = stops;
         return picture(other, bed);
     };
+    const Image with_toe = picture(view, bed);
+    view.look.contrast.word = "auto-0.2";
     EXPECT_EQ(picture(view, bed), developed(1.8, -0.5));
+    const Image without_toe = picture(view, bed);
+    int brighter = 0;
+    for (std::size_t i = 0; i < with_toe.rgb.size(); i += 3) {
+        int more = 0;
+        for (std::size_t band = i; band < i + 3; ++band)
+            more += with_toe.rgb[band] - without_toe.rgb[band];
+        EXPECT_GE(more, -3) << i;
+        brighter += more > 9 ? 1 : 0;
+    }
+    EXPECT_GT(brighter, 0) << "in shade";
     view.sun.elevation = 40.0;
     EXPECT_EQ(picture(view, bed), developed(1.35, 0.0));
     view.sun.elevation = 9.0;
     view.sun.source = LightSource::moon;
+    view.look.contrast.word = "auto";
     EXPECT_EQ(picture(view, bed), developed(1.35, 0.0));
 }
 

@@ -66,7 +66,8 @@ Rendering chosen_rendering(const View& view, const Light& light) {
         std::clamp((high - static_cast<double>(light.to_sun.z)) / (high - low), 0.0, 1.0);
     if (!light.atmosphere || light.stars || view.air.planet != Planet::earth) share = 0.0;
     share *= 1.0 - depth_of_colour(sand_colours(look));
-    return {1.35 + 0.45 * share, look.exposure - 0.5 * share, look.contrast.word == "auto"};
+    return {1.35 + 0.45 * share, look.exposure - 0.5 * share,
+            look.contrast.word == "auto" && !light.stars};
 }
 
 /// Where the air is bright enough to matter, for exposure and in the shade.

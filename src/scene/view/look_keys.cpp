@@ -136,7 +136,7 @@ void list_surroundings_keys(LookSettings& look, KeyTable& table) {
         {{"auto",
           "over endless ground 1.35, up to 1.8 with half a stop less light under a low sun, "
           "but not of red sand, and 1.12 with 0.3 stops less with look.cover = \"auto\"; else 1. "
-          "Over sand, shade two stops below middle grey keeps its share of the light"},
+          "Over sand by day, shade two stops below middle grey keeps its share of the light"},
          {"auto-0.2", "the same numbers, with shade as dark as the power makes it"}},
         {.range = {0.2, 4},
          .help = "contrast of light before the tone curve: a power around middle grey",
