@@ -83,8 +83,8 @@ std::vector<LayerRecord> layer_records(Film film) {
             return;
         }
         const std::string from = file.lexically_relative(fs::current_path()).generic_string();
-        const bool tells = !from.empty() && !from.starts_with("..") && from != written;
-        records.push_back({key, {written, hex(grid_hash(file))}, tells ? from : ""});
+        const bool is_below = !from.empty() && !from.starts_with("..") && from != written;
+        records.push_back({key, {written, hex(grid_hash(file))}, is_below ? from : ""});
     });
     return records;
 }
