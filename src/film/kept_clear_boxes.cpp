@@ -33,6 +33,7 @@ void FilmPainter::keep_clear(double edge, const TitleFacts& facts) {
         return;  // place_overlays() says at which key
     }
     std::vector<CanvasBox> taken;
+    taken.reserve(placed.size());
     for (const PlacedOverlay& overlay : placed) taken.push_back(overlay.box);
     FilmStage whole = stage_;
     whole.scene = lettered;

@@ -40,15 +40,15 @@ struct ClearPlace {
 constexpr double most_farther = 2.0;
 constexpr double most_farther_for_captions = 1.6;
 constexpr double farther_step = 0.05;
-constexpr double most_beside = 0.6;
+constexpr int steps_beside = 10;  // to either side
 constexpr double beside_step = 0.06;
 
 /// Places beside the middle of a picture, the nearest first.
 std::vector<glm::dvec2> places_beside() {
-    constexpr int count = static_cast<int>(most_beside / beside_step + 0.5);
     std::vector<glm::dvec2> places;
-    for (int j = -count; j <= count; ++j)
-        for (int i = -count; i <= count; ++i) places.push_back(beside_step * glm::dvec2(i, j));
+    for (int j = -steps_beside; j <= steps_beside; ++j)
+        for (int i = -steps_beside; i <= steps_beside; ++i)
+            places.push_back(beside_step * glm::dvec2(i, j));
     std::ranges::stable_sort(places, {},
                              [](const glm::dvec2& place) { return glm::dot(place, place); });
     return places;
