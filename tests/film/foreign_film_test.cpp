@@ -238,6 +238,11 @@ TEST_F(ForeignFilm, TwoRunsAreNamedByTheirFilesAndTheirWatersDiffer) {
     EXPECT_EQ(depth, difference("field", {"--set", "look.colour_by=field", "--set",
                                           "look.field=water_depth"}));
     EXPECT_NE(depth, difference("heights", {}));
+    const Ended slopes = run({"film", "flood.nc", "b/flood.nc", "difference.toml", "--set",
+                              "look.colour_by=slope", "-o", "no_%02d.png"});
+    EXPECT_EQ(slopes.status, 2);
+    EXPECT_NE(slopes.errors.find("in height, water depth or a field"), std::string::npos)
+        << slopes.errors;
 }
 
 TEST_F(ForeignFilm, AHeapOnAFlatIsWhatAFilmByRuleShows) {

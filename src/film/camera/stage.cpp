@@ -50,6 +50,18 @@ void lay_layers_of(const Film& film, const StoredBeds& beds, const std::vector<O
 
 namespace {
 
+/// Refuses colours that a film asks for and no difference of two runs can have.
+void check_difference(const Scene& scene) {
+    const Colouring by = scene.view.look.colour_by;
+    if (by == Colouring::height || by == Colouring::change || by == Colouring::water_depth ||
+        by == Colouring::natural || by == Colouring::field || by == Colouring::field_change)
+        return;
+    throw InputError(scene.at("look.colour_by") +
+                     "panes.show = \"difference\" colours by the difference of two runs in height, "
+                     "water depth or a field; take look.colour_by = \"height\", \"water-depth\" or "
+                     "\"field\"");
+}
+
 /// Lets a difference of two runs be of the water where it colours, and its bar say so.
 void name_difference(View& view) {
     LookSettings& look = view.look;
@@ -88,7 +100,13 @@ FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& s
     view.camera.turn = 0.0;
     view.camera.roll = 0.0;
     view.overlays = film.overlays;
-    if (film.panes.show == PanesShow::difference) name_difference(view);
+    if (film.panes.show == PanesShow::difference) {
+        const auto colours = [](const Override& look) { return look.path == "look.colour_by"; };
+        const bool given =
+            std::ranges::any_of(film.looks, colours) || std::ranges::any_of(looks, colours);
+        if (given) check_difference(stage.scene);
+        name_difference(view);
+    }
     if (film.settings.background == FilmBackground::transparent) {
         view.look.background = Background::transparent;
         if (view.look.ground == Ground::endless) {

@@ -74,13 +74,14 @@ void list_film(FilmSettings& film, KeyTable& table) {
 }
 
 void list_panes(PaneSettings& panes, KeyTable& table) {
-    table.choice("panes.show", panes.show,
-                 {{PanesShow::grid, "grid", "beside and below each other, up to 3 x 3"},
-                  {PanesShow::wipe, "wipe",
-                   "two in one picture, on both sides of a line that wanders across it"},
-                  {PanesShow::difference, "difference",
-                   "the first of two, coloured by its height minus the second one's"}},
-                 {.help = "how several runs stand in one picture, in step"});
+    table.choice(
+        "panes.show", panes.show,
+        {{PanesShow::grid, "grid", "beside and below each other, up to 3 x 3"},
+         {PanesShow::wipe, "wipe",
+          "two in one picture, on both sides of a line that wanders across it"},
+         {PanesShow::difference, "difference",
+          "the first of two, coloured by its height, depth of water or field minus the second's"}},
+        {.help = "how several runs stand in one picture, in step"});
     table.integer("panes.columns", panes.columns,
                   {.range = {0, 3}, .help = "of the grid; 0: by the picture's shape"});
     table.text("panes.label", panes.label,
