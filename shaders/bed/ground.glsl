@@ -72,8 +72,8 @@ vec3 ground_albedo(vec2 position, BedPoint point) { return ground_albedo(positio
 
 bool eroded = false;  // between the banks that water has cut
 
-// From the sun's share that leaves it, `direct`. `gloss` is 1 for dry ground.
-vec3 ground_light_of(vec3 albedo, float direct, BedPoint point, vec3 to_eye, float gloss) {
+// What reaches a place: the sun's light, the sky's, and that of ground around, whose colour is `albedo`.
+vec3 light_onto(vec3 from_sun, vec3 albedo, BedPoint point) {
     // The sky is brighter on the sun's side.
     vec3 sky = sky_light * point.sky * (1.0 + 0.25 * dot(point.normal.xy, to_sun.xy));
     // One bounce: what the sky does not fill, sunlit sand around does.
@@ -92,11 +92,16 @@ vec3 ground_light_of(vec3 albedo, float direct, BedPoint point, vec3 to_eye, flo
         if (covered > 0.5 || eroded) lit = mix(lit, 0.8 * dot(vec2(0.5, 0.87), vec2(length(to_sun.xy), to_sun.z)), clamp(-2.0 * x, 0.0, 1.0));
         bounce = albedo * (sun_light * lit + sky_light) * ground_seen;
     }
+    return from_sun + sky + bounce;
+}
+
+// From the sun's share that leaves it, `direct`. `gloss` is 1 for dry ground.
+vec3 ground_light_of(vec3 albedo, float direct, BedPoint point, vec3 to_eye, float gloss) {
     float n_dot_l = max(dot(point.normal, to_sun), 0.0);
     vec3 halfway = normalize(to_sun + to_eye);
     float shine = max(dot(point.normal, halfway), 0.0);
     shine *= shine; shine *= shine; shine *= shine;
-    return albedo * (sun_light * direct + sky + bounce) + sun_light * (0.035 * gloss * shine * point.sun * n_dot_l);
+    return albedo * light_onto(sun_light * direct, albedo, point) + sun_light * (0.035 * gloss * shine * point.sun * n_dot_l);
 }
 
 vec3 ground_light(vec3 albedo, BedPoint point, vec3 to_eye, float gloss) {

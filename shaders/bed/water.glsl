@@ -1,6 +1,6 @@
 // Water over the ground: how it flows, how its surface stands, and what it does to light. Needs
 // common/light.glsl, sky/sky.glsl, bed/bed.glsl, bed/water_body.glsl and bed/soil.glsl before it.
-uniform sampler2D ground_map;   // dampness of the ground, what was laid down on it (0 … 1 for −1 … 1), its palette place
+uniform sampler2D ground_map;   // dampness of the ground, what was laid down on it (0 … 1 for −1 … 1), its palette place, water's cover
 uniform sampler2D water_map;    // depth (m, below 0 on banks), velocity east and north (m/s), turbidity (0 clear … 1 muddy)
 uniform sampler2D water_surface_map;  // slopes of the surface eastward and northward, that of the depth
 uniform float clarity;         // depth at which the bed is half hidden, m
@@ -18,12 +18,13 @@ uniform float ring_mean;       // of the mean square, in parts of that end
 const float gravity = 9.8;
 const float shore_level = 1.0;
 const float widest_ring = 0.3;  // m
+const float still_speed = 0.05;  // m/s: about it waves lose the flow's direction, which a still point has none of
 
 struct Water {
     float depth;     // m
     float film;      // 0 dry … 1 a closed surface
     float speed;     // m/s
-    vec2 flow;       // unit vector, or 0 at rest
+    vec2 flow;       // its direction, shorter than 1 where it hardly moves
     float froude;
     vec2 slope;      // of its surface, as drawn
     float fall;      // how steep that is in truth
@@ -36,6 +37,9 @@ struct Water {
 // A shore goes from cell to cell of the grid in steps: it is looked at over more than one.
 vec3 ground_at(vec2 position, float level) { return textureLod(ground_map, position, max(level, shore_level)).rgb; }
 
+// The mean of water's cover over about two pixels: else a pool that is as small is a speck.
+float cover_at(vec2 position, float level) { return textureLod(ground_map, position, max(level, shore_level) + 1.0).a; }
+
 // Below 0 on banks: a shore is where the depth is 0.
 float depth_at(vec2 position, float level) { return max(textureLod(water_map, position, max(level, shore_level)).x, 0.0); }
 
@@ -45,7 +49,7 @@ Water water_at(vec2 position, float level) {
     Water water;
     water.depth = max(texel.x, 0.0);
     water.speed = length(texel.yz);
-    water.flow = texel.yz / max(water.speed, 1e-6);
+    water.flow = texel.yz * inversesqrt(dot(texel.yz, texel.yz) + still_speed * still_speed);
     water.froude = water.speed / sqrt(gravity * max(water.depth, 1e-4 * clarity));
     water.slope = surface.xy;
     water.fall = length(surface.xy) / steepening;
@@ -64,6 +68,9 @@ const float any_water = 2.0;
 
 const float least_share = 0.1;  // of the depth that closes: below it hollows hold no more of it
 const float thin_share = 3.0;   // up to it water holds neither foam nor clouds of silt
+// Of the depth that closes: between them water begins to carry foam, which stays off shores.
+const float floats_from = 6.0;
+const float floats_at = 24.0;
 const float dry_share = 0.21;   // below it not even the deepest hollow that bed/soil.glsl can make holds a closed film
 
 // Ground that stands out breaks a thin sheet, and its hollows hold some more of it.
@@ -72,6 +79,12 @@ float closed_film(Water water, Soil soil) {
     float hollow = -0.45 * soil.height * smoothstep(least_share, 0.6, share) * (1.0 - smoothstep(1.5, 4.0, steepening * share));
     return smoothstep(0.004, 0.06, water.depth / clarity) * smoothstep(0.5, 1.7, share + hollow);
 }
+
+// How far a pixel is too wide to tell water from ground by their depths: it sees a mean of both, by their cover.
+float by_cover(float width) { return smoothstep(0.10, 0.28, width / cell); }
+
+// At least so deep is water that `cover` of a pixel holds: the mean of the depth there takes in banks, which are below 0.
+float depth_by_cover(float depth, float cover) { return max(depth, 2.0 * closed_depth * smoothstep(0.0, 0.1, cover)); }
 
 // The slope of small waves: crests across the flow where it is fast, next to none where it is still. Water of
 // centimetres has low ones, and lines along the flow.
@@ -153,14 +166,14 @@ float foam_lines(vec2 world, Water water, float silt, float width) {
     float lace = 2.0 * texture(streak_map, world / (noise_repeat * 0.16 * metre)).r - 1.0;
     float bubbles = shown_noise(world + 0.47, 0.07 * metre, width).x;
     float line = smoothstep(1.15, 2.3, sum + 0.5 * silt + 0.75 * detail_visibility(0.16 * metre, width) * lace + 0.75 * bubbles);
-    return 0.55 * water.turbidity * line * smoothstep(0.05, 0.25, water.speed) * smoothstep(thin_share, 12.0, water.depth / closed_depth);
+    return 0.55 * water.turbidity * line * smoothstep(0.05, 0.25, water.speed) * smoothstep(floats_from, floats_at, water.depth / closed_depth);
 }
 
 // White water where it shoots, most where it is rougher than usual or deepens at once: at fronts and jumps, in patches
 // drawn out along the flow and laced with holes. A film is too thin to hold air.
 float foam_cover(vec2 world, Water water, float width) {
     float shooting = smoothstep(0.9, 1.3, water.froude);
-    float deep = smoothstep(0.01, 0.12, water.depth / clarity) * smoothstep(thin_share, 12.0, water.depth / closed_depth);
+    float deep = smoothstep(0.01, 0.12, water.depth / clarity) * smoothstep(floats_from, floats_at, water.depth / closed_depth);
     float rougher = smoothstep(1.15, 1.9, water.froude / max(usual_froude, 0.9));
     float stirred = max(0.55 * rougher, smoothstep(0.05, 0.30, water.front));
     vec2 stride = water.flow * (0.8 * metre);

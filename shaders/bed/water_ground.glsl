@@ -42,14 +42,18 @@ struct WetGround {
     Laid cover;
 };
 
-// The light that leaves a place (0 … 1 in the maps) which lies at `world_point`. `water`: of it, and `shown` of the ground there;
-// `width`: of the smallest thing to be seen there, block lengths.
-WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, vec3 shown, vec3 world_point, vec3 to_eye, float width) {
+// The light that leaves a place (0 … 1 in the maps) which lies at `world_point`. `water`: of it; `shown`: of the ground there, and
+// water's cover of it in alpha; `width`: of the smallest thing to be seen there, block lengths.
+WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, vec4 shown, vec3 world_point, vec3 to_eye, float width) {
     vec2 world = world_point.xy;
     float visible = tinted;
     float laid = 2.0 * shown.g - 1.0;
     Soil soil = soil_at(world_point, point, width, clamp(-laid, 0.0, 1.0));
-    water.film = under_water > dry_water ? closed_film(water, soil) : 0.0;
+    if (under_water > dry_water) {
+        float cover = by_cover(width);
+        water.film = mix(closed_film(water, soil), shown.a, cover);
+        water.depth = mix(water.depth, depth_by_cover(water.depth, shown.a), cover);
+    }
     float damp = mix(1.0, 0.85, studio) * visible * clamp(shown.r + 0.8 * shown.r * (1.0 - shown.r) * -soil.height, 0.0, 1.0);
     if (natural > 0.5) {
         albedo = earthen(albedo, soil, damp);
@@ -67,15 +71,17 @@ WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, ve
     float bent = mix(1.0, to_sun.z / sqrt(0.77 + to_sun.z * to_sun.z), visible * water.film * (1.0 - water.thin));
     vec3 normal_below = normalize(vec3(point.normal.xy / max(point.normal.z, 0.05) - bent * soil.slope, 1.0));
     // Ground behind the sun stands in the shade of its own clods, but for the highest; the water over it does not.
-    float on_water = point.sun;
+    BedPoint on_water = point;
     point.sun *= smoothstep(-0.22, 0.14, dot(point.normal, to_sun));
     point.normal = normal_below;
     point.sky *= clamp(1.0 + 0.10 * soil.height, 0.6, 1.1) * (1.0 - 0.25 * soil.groove);
 
     eroded = true;
-    vec3 light = ground_light(wetted(albedo, damp), point, to_eye, 1.0 + 2.0 * damp);
-    point.sun = on_water;
+    // A wall's soil is drawn moist as it is.
+    vec3 light = ground_light(wetted(albedo, damp * (1.0 - 0.6 * soil.cut)), point, to_eye, 1.0 + 2.0 * damp);
     if (under_water > dry_water) {
+        vec3 around = light_onto(vec3(0.0), albedo, on_water);
+        float sun = on_water.sun;
         Rings rings = drop_rings(world, water, width);
         vec3 normal = water_normal(world, water, soil, rings.slope, width);
         float thin = water.thin;
@@ -86,28 +92,29 @@ WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, ve
         float up = sqrt(1.0 - (1.0 - n_dot_v * n_dot_v) / 1.77);
         vec3 left = transmitted(0.5 * water.depth / clarity * (1.0 + 1.0 / up), water.turbidity);
         float silt = under_water > thin_water ? silt_clouds(world, water) : 0.0;
-        vec3 body = water_body_colour(water.turbidity) * (1.0 + water.turbidity * silt * vec3(0.50, 0.42, 0.34)) * (sun_light * point.sun * (0.4 + 0.6 * n_dot_l) + sky_light * point.sky);
+        vec3 body = water_body_colour(water.turbidity) * (1.0 + water.turbidity * silt * vec3(0.26, 0.22, 0.18)) * (sun_light * sun * (0.4 + 0.6 * n_dot_l) + around);
         vec3 below = light * left + body * (1.0 - left);
 
         float grazing = (1.0 - n_dot_v) * (1.0 - n_dot_v);
         float fresnel = 0.02 + 0.98 * grazing * grazing * (1.0 - n_dot_v);  // Schlick 1994
         // What stands out of it, or breaks it where it runs down a slope, does not mirror.
         float calm = smoothstep(0.7, 1.4, water.depth / closed_depth) * (1.0 - smoothstep(0.03, 0.15, water.fall));
-        fresnel *= 0.3 + 0.7 * max(calm, 1.0 - thin);
+        float mirrors = 0.3 + 0.7 * max(calm, 1.0 - thin);
+        fresnel *= mirrors;
         vec3 halfway = normalize(to_sun + to_eye);
         float off = 1.0 - max(dot(normal, halfway), 0.0);
         float spread = 1.0 + 60.0 * rings.rough;
         float lobe = 1.0 / (1.0 + 220.0 / spread * off);
-        float glint = lobe * lobe * lobe / spread;
+        float glint = mirrors * mirrors * lobe * lobe * lobe / spread;
         vec3 mirrored = reflect(-to_eye, normal);
         mirrored.z = max(abs(mirrored.z), 0.5 * to_eye.z);  // waves hide what of them turns away from the eye
         vec3 reflected = mirrored_light(mirrored, albedo, point);
         reflected = mix(reflected, point.sky * haze_towards(-to_eye), max(0.5 * thin, min(3.0 * rough, 0.7)));  // from a wide part of the sky
         vec3 surface = mix(below, reflected, fresnel) +
-                       sun_light * (point.sun * glint);
+                       sun_light * (sun * glint);
 
         float foam = under_water > thin_water ? max(foam_cover(world, water, width), foam_lines(world, water, silt, width)) : 0.0;
-        vec3 foam_light = mix(vec3(0.86, 0.88, 0.88), vec3(0.76, 0.68, 0.56), water.turbidity) * (sun_light * point.sun * (0.25 + 0.75 * n_dot_l) + sky_light * point.sky);
+        vec3 foam_light = mix(vec3(0.86, 0.88, 0.88), vec3(0.76, 0.68, 0.56), water.turbidity) * (sun_light * sun * (0.25 + 0.75 * n_dot_l) + around);
         surface = mix(surface, foam_light, foam);
         light = mix(light, surface, water.film);
     }
@@ -120,7 +127,7 @@ WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, ve
 vec4 water_ground(vec2 position, vec3 world_point, float width, float level) {
     BedPoint point = bed_point(textureLod(lighting_map, position, level));
     vec3 to_eye = direction_to_eye(world_point);
-    vec3 shown = ground_at(position, level);
+    vec4 shown = vec4(ground_at(position, level), cover_at(position, level));
     vec3 albedo = natural > 0.5 ? ground_albedo(position, point, shown.b) : ground_albedo(position, point);
     WetGround ground = wet_ground(position, point, albedo, water_at(position, level), shown, world_point, to_eye, width);
     vec3 displayed = display_from_linear(tone_curve(with_haze(ground.light, world_point, -to_eye)));

@@ -22,7 +22,9 @@ out vec4 colour;
 void main() {
     PixelSamples all = pixel_samples();
     colour = vec4(all.mean, all.cells);
-    float share = tinted < 0.5 ? 0.0 : depth_at(all.mean.xy, level_over(all)) / closed_depth;
+    float level = level_over(all);
+    float share = tinted < 0.5 ? 0.0 : depth_at(all.mean.xy, level) / closed_depth;
+    if (tinted > 0.5 && share < dry_share && cover_at(all.mean.xy, level) > 0.0) share = dry_share;
     float of_water = share < dry_share ? dry_depth : share < thin_share ? thin_depth : deep_depth;
     gl_FragDepth = all.share == 0.0 ? nothing_depth : are_far_apart(all) ? split_depth : of_water;
 }

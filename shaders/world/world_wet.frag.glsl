@@ -44,7 +44,8 @@ vec4 wet_colour(SurfacePoint at) {
     float narrow = min(one, other) / crisp;
     float width = sqrt(narrow * max(narrow, 0.5 * max(one, other) / crisp));
     vec3 albedo = ground_albedo(position, point);
-    WetGround ground = wet_ground(position, point, albedo, water_at(in_water, level), ground_at(in_water, level), world_point, to_eye, width);
+    vec4 shown = vec4(ground_at(in_water, level), cover_at(in_water, level));
+    WetGround ground = wet_ground(position, point, albedo, water_at(in_water, level), shown, world_point, to_eye, width);
     vec3 light = ground.light * max(1.0 + ground.grainy * grains_of(1.0) * grain(at, 1.0), 0.1);
     vec4 lit = colour_at_eye(light, at, to_eye, point.sun);
     return vec4(as_it_is(lit.rgb, ground.cover, (1.0 - ground.film) * seen_through_air(at)), lit.a);

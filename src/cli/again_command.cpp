@@ -346,9 +346,16 @@ int results_picture_again(Scene scene, const AgainOptions& options, const WorkOp
     StatusLine status(work.verbosity);
     RecordedResults results = recorded_results(origin.results, options.picture);
     const LookSettings& look = scene.view.look;
+    const bool by_field =
+        look.colour_by == Colouring::field || look.colour_by == Colouring::field_change;
     if (std::vector<std::string>& asked = results.query.scalars;
-        look.colour_by == Colouring::field && std::ranges::count(asked, look.field) == 0)
+        by_field && std::ranges::count(asked, look.field) == 0)
         asked.push_back(look.field);
+    if (options.from.size() > 1)
+        throw InputError(fmt::format(
+            "{}: --from is given {} times, but a picture shows one run; several files of it are a "
+            "pattern of names ('elev_*.asc')",
+            options.picture, options.from.size()));
     const std::string from = options.from.empty() ? "" : options.from.front();
     const StoredBeds beds =
         results_again(results, {options.picture, "picture", from, work.threads}, status);
@@ -413,8 +420,14 @@ int perform(const AgainOptions& options) {
                               read_settings(options.work.settings));
     check_limits(scene, 1, origin.step);
     find_listed(scene, origin, options.picture);
-    if (!origin.results.empty())
+    if (!origin.results.empty()) {
+        if (scene.set_on_command_line("bed.file"))
+            throw InputError(fmt::format(
+                "{}bed.file: {} shows another model's results; --from FILE takes another file of "
+                "them",
+                scene.at("bed.file"), options.picture));
         return results_picture_again(std::move(scene), options, work, origin);
+    }
     return origin.is_movie ? movie_again(std::move(scene), options, origin)
                            : picture_again(std::move(scene), options, work, origin);
 }

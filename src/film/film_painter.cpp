@@ -44,8 +44,8 @@ bool are_uneven(const std::vector<StoredBed>& records) {
     return longest > even * shortest;
 }
 
-/// What invents the ground between two beds is said, and what holds it where one would not expect
-/// that: of surveys.
+/// The plate of a film tells that ground between two beds is invented. Of other models' records
+/// and surveys at uneven times it tells that ground is held.
 TimeNote time_note_of(const Film& film, const StoredBeds& beds) {
     if (film.settings.between == RecordsBetween::blend) return TimeNote::blended;
     const bool held = beds.foreign() != nullptr && are_uneven(beds.beds());
@@ -98,12 +98,6 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
     for (std::size_t i = 0; i < film.shots.size(); ++i) shots_.emplace_back(film, i, stage_, runs);
     for (const StagedShot& shot : shots_)
         if (!shot.note().empty()) notes_.push_back(shot.note());
-    for (OverlaySettings& overlay : stage_.scene.view.overlays) {
-        if (differs() && overlay.kind == OverlayKind::colour_bar && overlay.text.empty())
-            overlay.text = colours_field(stage_.scene.view.look.colour_by)
-                               ? "difference of " + stage_.scene.view.look.field
-                               : "difference of height";
-    }
     stage_panes(looks);
     fix_ranges(shown_moments());
     for (Pane& pane : panes_) pane.scene.view.look = stage_.scene.view.look;

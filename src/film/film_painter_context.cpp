@@ -36,14 +36,14 @@ Renderer& FilmPainter::renderer_of(Pane& pane) {
 }
 
 std::size_t FilmPainter::bed_of(std::size_t run, const Moment& moment) const {
-    return place_of(run, moment).bed;
+    return runs_.in_step(run, moment.place.bed, film_.shots[moment.shot].clock);
 }
 
 RecordPlace FilmPainter::place_of(std::size_t run, const Moment& moment) const {
-    if (run == 0) return moment.place;
-    const FilmClock clock = film_.shots[moment.shot].clock;
-    return {runs_.in_step(run, moment.place.bed, clock),
-            runs_.in_step(run, moment.place.next, clock), moment.place.share};
+    if (film_.settings.between == RecordsBetween::blend)
+        return runs_.in_step(run, moment.place, film_.shots[moment.shot].clock);
+    const std::size_t bed = bed_of(run, moment);
+    return {bed, bed, 0.0};
 }
 
 std::shared_ptr<const Snapshot> FilmPainter::snapshot_of(std::size_t run,
@@ -53,8 +53,9 @@ std::shared_ptr<const Snapshot> FilmPainter::snapshot_of(std::size_t run,
 
 Sha256 FilmPainter::bed_key(std::size_t run, const Moment& moment) {
     Pane& pane = panes_[run];
-    if (moment.place.share > 0.0) return snapshot_hash(*snapshot_of(run, moment));
-    const std::size_t number = bed_of(run, moment);
+    const RecordPlace place = place_of(run, moment);
+    if (place.share > 0.0) return snapshot_hash(*snapshot_of(run, moment));
+    const std::size_t number = place.bed;
     auto known = pane.bed_keys.find(number);
     if (known == pane.bed_keys.end())
         known = pane.bed_keys.emplace(number, snapshot_hash(*pane.beds->snapshot(number))).first;

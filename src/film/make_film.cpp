@@ -191,15 +191,20 @@ class FilmMaker {
         texts.emplace_back("fumon:scene", resolved_scene(beds_.scene(), beds_.inputs()));
         texts.emplace_back(runs_keyword, filmed_runs_text(runs_));
         if (!layers_.empty()) texts.emplace_back(layers_keyword, filmed_layers_text(layers_));
-        if (film.settings.between == RecordsBetween::blend)
-            texts.emplace_back("fumon:between-records",
-                               "blended: heights, water and colours between two stored records "
-                               "change evenly in time and were computed by no model");
+        add_between(texts);
         if (output_.most_bytes > 0)
             texts.emplace_back(most_bytes_keyword, fmt::format("{}", output_.most_bytes));
         texts.emplace_back("fumon:pixels-sha256", hex(pixels.so_far()));
         texts.emplace_back("fumon:environment", environment);
         return texts;
+    }
+
+    /// Says in a file's texts what no model computed.
+    void add_between(PictureText& texts) const {
+        if (film_.settings.between == RecordsBetween::blend)
+            texts.emplace_back("fumon:between-records",
+                               "blended: heights, water and colours between two stored records "
+                               "change evenly in time and were computed by no model");
     }
 
     /// On the thread that draws.
@@ -271,6 +276,7 @@ class FilmMaker {
             texts.emplace_back(film_keyword, film_toml(film));
             texts.emplace_back(remake_keyword, facts_.remake);
             if (!layers_.empty()) texts.emplace_back(layers_keyword, filmed_layers_text(layers_));
+            add_between(texts);
             texts.emplace_back("fumon:pixels-sha256", hex(layers_hash(light)));
             texts.emplace_back("fumon:environment", environment());
             write_file(sequence_file(output_.file, frame),

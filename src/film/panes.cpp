@@ -53,6 +53,17 @@ void draw_scale(Canvas& canvas, const CanvasBox& box, const std::vector<double>&
     canvas.fill_circle({place(own), middle}, 0.24 * canvas.font_size(), white_ink);
 }
 
+/// A run's file, with its folder where another run's has the same name.
+std::string file_label_of(const FilmRuns& runs, std::size_t run) {
+    const std::filesystem::path file = runs.beds(run).name();
+    for (std::size_t one = 0; one < runs.size(); ++one) {
+        const std::filesystem::path other = runs.beds(one).name();
+        if (one == run || other.filename() != file.filename()) continue;
+        return (file.parent_path().filename() / file.filename()).string();
+    }
+    return file.filename().string();
+}
+
 /// What stands above a run: of other models' results the file, and the model where these differ.
 std::string label_of(const Film& film, const FilmRuns& runs, std::size_t run) {
     const auto model_of = [&](std::size_t one) {
@@ -64,7 +75,7 @@ std::string label_of(const Film& film, const FilmRuns& runs, std::size_t run) {
     const std::string own = model_of(run);
     bool differs = false;
     for (std::size_t one = 0; one < runs.size(); ++one) differs |= model_of(one) != own;
-    const std::string file = std::filesystem::path(runs.beds(run).name()).filename().string();
+    const std::string file = file_label_of(runs, run);
     return differs && !own.empty() ? fmt::format("{}: {}", own, file) : file;
 }
 

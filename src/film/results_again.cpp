@@ -42,19 +42,48 @@ std::string field_in(const fs::path& folder, const std::string& field) {
     return field;
 }
 
-/// The first file that is not as it was; empty where all are, and there are no others.
-std::string changed_file(const std::vector<InputFile>& then, const std::vector<InputFile>& now) {
+fs::path name_of(const InputFile& file) {
+    return fs::path(file.path).filename();
+}
+
+std::string not_as_it_was(const std::string& file, std::string_view what) {
+    return fmt::format("{0}: is not the file that the {1} was made of: its content has changed",
+                       file, what);
+}
+
+/// The first file that is not as it was, in a sentence; empty where all are, and there are no
+/// others.
+std::string difference_of(const std::vector<InputFile>& then, const std::vector<InputFile>& now,
+                          std::string_view what) {
+    const auto is_named = [](const std::vector<InputFile>& files, const InputFile& one) {
+        return std::ranges::count(files, name_of(one), name_of) > 0;
+    };
     const auto is_in = [](const std::vector<InputFile>& files, const InputFile& one) {
         return std::ranges::any_of(files, [&](const InputFile& other) {
-            return other.hash == one.hash &&
-                   fs::path(other.path).filename() == fs::path(one.path).filename();
+            return other.hash == one.hash && name_of(other) == name_of(one);
         });
     };
-    for (const InputFile& file : now)
-        if (!is_in(then, file)) return file.path;
+    for (const InputFile& file : now) {
+        if (is_in(then, file)) continue;
+        if (is_named(then, file)) return not_as_it_was(file.path, what);
+        return fmt::format("{}: is none of the files that the {} was made of", file.path, what);
+    }
     for (const InputFile& file : then)
-        if (!is_in(now, file)) return file.path;
+        if (!is_in(now, file))
+            return fmt::format("{}: is one of the files that the {} was made of, and is missing",
+                               name_of(file).string(), what);
     return {};
+}
+
+/// What keeps files from being opened that are in part in a folder.
+std::string fault_in(const fs::path& folder, const RecordedResults& results,
+                     std::string_view what) {
+    for (const InputFile& file : results.files)
+        if (!lies_at(file.path) && !lies_at(folder / name_of(file)))
+            return fmt::format(
+                "{}: is one of the files that the {} was made of, and is missing; copy it there",
+                (folder / name_of(file)).string(), what);
+    return not_as_it_was((folder / results.name).string(), what);
 }
 
 std::vector<fs::path> folders_of(const RecordedResults& results, const fs::path& picture) {
@@ -73,11 +102,6 @@ StoredBeds opened_in(const fs::path& folder, const std::string& argument,
     return StoredBeds::of_files(argument, threads, {}, query);
 }
 
-std::string not_as_it_was(const std::string& file, std::string_view what) {
-    return fmt::format("{0}: is not the file that the {1} was made of: its content has changed",
-                       file, what);
-}
-
 }  // namespace
 
 StoredBeds results_again(const RecordedResults& results, const ResultsAsked& asked,
@@ -85,8 +109,9 @@ StoredBeds results_again(const RecordedResults& results, const ResultsAsked& ask
     if (!asked.from.empty()) {
         StoredBeds beds =
             opened_in(fs::path(asked.from).parent_path(), asked.from, results, asked.threads);
-        if (const std::string file = changed_file(results.files, beds.inputs()); !file.empty())
-            status.note(not_as_it_was(file, asked.what));
+        const std::string differs = difference_of(results.files, beds.inputs(), asked.what);
+        // Of those that a picture does not list nothing is known.
+        if (!differs.empty() && !results.files.empty()) status.note(differs);
         return beds;
     }
     if (results.files.empty())
@@ -100,17 +125,18 @@ StoredBeds results_again(const RecordedResults& results, const ResultsAsked& ask
         });
         if (!is_here) continue;
         const std::string argument = (folder / results.name).string();
-        std::string file = argument;
+        std::string differs;
         try {
             StoredBeds beds = opened_in(folder, argument, results, asked.threads);
-            file = changed_file(results.files, beds.inputs());
-            if (file.empty()) return beds;
+            differs = difference_of(results.files, beds.inputs(), asked.what);
+            if (differs.empty()) return beds;
+            differs += fmt::format("; --from {} takes {}", argument,
+                                   beds.inputs().size() == 1 ? "it" : "those that are there");
         } catch (const InputError&) {
             // What a changed file holds is not told to a picture of unknown origin.
+            differs = fault_in(folder, results, asked.what);
         }
-        if (fault.empty())
-            fault =
-                fmt::format("{}; --from {} takes it", not_as_it_was(file, asked.what), argument);
+        if (fault.empty()) fault = differs;
     }
     if (!fault.empty()) throw InputError(fault);
     throw InputError(

@@ -18,6 +18,15 @@ namespace {
 
 constexpr std::string_view since = " since ";
 
+/// AeoLiS writes a list of words: "['2015-01-01' '00:00']".
+std::string without_brackets(std::string text) {
+    std::erase_if(text,
+                  [](char letter) { return letter == '[' || letter == ']' || letter == '\''; });
+    return text;
+}
+
+}  // namespace
+
 bool is_time(const NetcdfInput& input, int variable) {
     constexpr std::array<std::string_view, 8> names{"time", "Time",       "t",    "times",
                                                     "T",    "globaltime", "TIME", "time_model"};
@@ -27,15 +36,6 @@ bool is_time(const NetcdfInput& input, int variable) {
            input.text(variable, "axis").value_or("") == "T" ||
            std::ranges::find(names, input.variable_name(variable)) != names.end();
 }
-
-/// AeoLiS writes a list of words: "['2015-01-01' '00:00']".
-std::string without_brackets(std::string text) {
-    std::erase_if(text,
-                  [](char letter) { return letter == '[' || letter == ']' || letter == '\''; });
-    return text;
-}
-
-}  // namespace
 
 std::vector<double> values_along(const NetcdfInput& input, int variable, int dimension) {
     std::vector<double> values(input.dimension_length(dimension));

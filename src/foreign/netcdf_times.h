@@ -17,6 +17,9 @@ namespace fumon {
 RawTimes netcdf_times(const NetcdfInput& input, int dimension, const std::string& wanted = {},
                       const std::string& said = {});
 
+/// Whether a variable holds times, by its unit, its attributes or its name.
+bool is_time(const NetcdfInput& input, int variable);
+
 /// The variable that netcdf_times() reads; nothing where records are counted.
 std::optional<int> time_variable(const NetcdfInput& input, int dimension);
 

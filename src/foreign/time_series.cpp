@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "base/error.h"
 #include "files/netcdf/netcdf_calls.h"
 #include "files/netcdf/netcdf_input.h"
@@ -20,9 +22,10 @@ std::vector<TimeSeries> time_series(const ForeignRun& run) {
             if (over.size() != 1 || !input.is_numeric(variable)) continue;
             const bool is_along = input.dimension_length(over[0]) == run.times.times.size();
             const std::string name = input.variable_name(variable);
-            const bool is_coordinate =
-                name == input.dimension_name(over[0]) || time_variable(input, over[0]) == variable;
-            if (!is_along || is_coordinate || !time_variable(input, over[0])) continue;
+            const std::optional<int> times = time_variable(input, over[0]);
+            const bool is_coordinate = name == input.dimension_name(over[0]) || times == variable ||
+                                       is_time(input, variable);
+            if (!is_along || is_coordinate || !times) continue;
             all.push_back({name, input.text(variable, "units").value_or(""),
                            values_along(input, variable, over[0])});
         }

@@ -58,7 +58,8 @@ std::string described(const TableColumn& time, const TableColumn& column) {
 
 std::string label_of(const TableColumn& column) {
     const std::string words = in_words(column.name);
-    return column.unit.empty() ? words : fmt::format("{} ({})", words, column.unit);
+    const bool has_unit = !column.unit.empty() && column.unit != "1" && column.unit != "-";
+    return has_unit ? fmt::format("{} ({})", words, column.unit) : words;
 }
 
 std::string drawn(const TableColumn& time, const TableColumn& column) {
@@ -81,34 +82,34 @@ std::string drawn(const TableColumn& time, const TableColumn& column) {
     return canvas.bytes();
 }
 
-}  // namespace
-
-std::vector<MeasurementPlot> measurement_plots(const std::filesystem::path& measurements) {
-    const Table table = parse_csv_table({measurements.string(), read_input_file(measurements)});
+/// Of the columns that change and say something new, at most four.
+std::vector<MeasurementPlot> plots_of(const TableColumn& time,
+                                      const std::vector<TableColumn>& columns) {
     std::vector<MeasurementPlot> plots;
-    const TableColumn* time = table.find("time");
-    if (time == nullptr) return plots;
-    for (const TableColumn& column : table.columns) {
+    for (const TableColumn& column : columns) {
         const bool little = std::ranges::find(of_little_news, column.name) != of_little_news.end();
         if (little || !changes(column)) continue;
-        plots.push_back({drawn(*time, column), described(*time, column)});
+        plots.push_back({drawn(time, column), described(time, column)});
         if (plots.size() == most_plots) break;
     }
     return plots;
 }
 
+}  // namespace
+
+std::vector<MeasurementPlot> measurement_plots(const std::filesystem::path& measurements) {
+    const Table table = parse_csv_table({measurements.string(), read_input_file(measurements)});
+    const TableColumn* time = table.find("time");
+    if (time == nullptr) return {};
+    return plots_of(*time, table.columns);
+}
+
 std::vector<MeasurementPlot> series_plots(const std::vector<TimeSeries>& series,
                                           const ForeignTimes& times) {
     const bool has_unit = times.unit != "steps";
-    const TableColumn time{has_unit ? "time" : "step", has_unit ? times.unit : "", times.times};
-    std::vector<MeasurementPlot> plots;
-    for (const TimeSeries& one : series) {
-        const TableColumn column{one.name, one.unit, one.values};
-        if (!changes(column)) continue;
-        plots.push_back({drawn(time, column), described(time, column)});
-        if (plots.size() == most_plots) break;
-    }
-    return plots;
+    std::vector<TableColumn> columns;
+    for (const TimeSeries& one : series) columns.push_back({one.name, one.unit, one.values});
+    return plots_of({has_unit ? "time" : "step", has_unit ? times.unit : "", times.times}, columns);
 }
 
 }  // namespace fumon

@@ -68,10 +68,10 @@ std::string curve_sentence(const CurvePlan& curve, PanelKind kind, std::size_t n
     if (settings.scale_x != 1.0) text += phrase(", x times {}", settings.scale_x);
     if (settings.offset_y != 0.0) text += phrase(", y plus {}", settings.offset_y);
     if (settings.scale_y != 1.0) text += phrase(", y times {}", settings.scale_y);
-    if (!curve.sweep) return text + phrase("; from {}", settings.file) + ".";
     if (settings.table == CurveTable::profile || settings.table == CurveTable::section ||
         settings.table == CurveTable::flights)
         text += phrase("; step {}", curve.step);
+    if (!curve.sweep) return text + phrase("; from {}", settings.file) + ".";
     return fmt::format("{};{} {}{}.", text, varied_text(*curve.sweep), seeds_text(*curve.sweep),
                        after(own));
 }

@@ -181,9 +181,10 @@ class Planner {
         note(prepared.initial);
         CurvePlan curve{settings, path, {}, {}, std::move(prepared.scene), 0, {}};
         curve.settings.file = settings.scene;  // as captions name what is drawn
+        curve.step = settings.step < 0 ? results->times.steps.back() : settings.step;
         const char* asked = settings.table == CurveTable::profile ? ".step" : ".table";
         curve.table = at(path + asked, [&] {
-            return results_table(settings.table, curve.scene, *results, settings.step);
+            return results_table(settings.table, curve.scene, *results, curve.step);
         });
         check_columns(curve);
         return curve;

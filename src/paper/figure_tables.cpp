@@ -223,8 +223,7 @@ Table curve_columns(CurveTable table, const Scene& scene, const Snapshot& first)
 Table results_table(CurveTable table, const Scene& scene, const ForeignRun& results,
                     std::int64_t step) {
     if (table == CurveTable::profile) {
-        const Snapshot snapshot =
-            snapshot_of_results(results, step < 0 ? results.times.steps.back() : step);
+        const Snapshot snapshot = snapshot_of_results(results, step);
         return profile_rows(snapshot, profile_columns(snapshot));
     }
     if (table != CurveTable::measurements)

@@ -13,7 +13,7 @@ namespace fumon {
 Table curve_columns(CurveTable table, const Scene& scene, const Snapshot& first);
 
 /// The rows of a curve of another model's results: the measures of each record, or the profile of
-/// that of a step (-1: the last). Throws InputError without a place for other tables, and where
+/// that of a step. Throws InputError without a place for other tables, and where
 /// there is no record of the step.
 Table results_table(CurveTable table, const Scene& scene, const ForeignRun& results,
                     std::int64_t step);

@@ -177,5 +177,12 @@ TEST(FilmRuns, TheCommandTakesSeveralFolders) {
     EXPECT_NE(ruled.output.find("[[shot]]"), std::string::npos) << "no film: one by rule";
 }
 
+TEST(FilmRuns, BlendOtherRunsBetweenTheirOwnBeds) {
+    const FilmRuns runs(in_runs({"a", "short"}), 1);  // every 2 and every 5 steps
+    EXPECT_EQ(runs.in_step(1, RecordPlace{1, 3, 0.5}, FilmClock::time), (RecordPlace{0, 1, 0.8}));
+    EXPECT_EQ(runs.in_step(1, RecordPlace{2, 3, 0.5}, FilmClock::time), (RecordPlace{1, 1, 0.0}));
+    EXPECT_EQ(runs.in_step(0, RecordPlace{1, 3, 0.5}, FilmClock::time), (RecordPlace{1, 3, 0.5}));
+}
+
 }  // namespace
 }  // namespace fumon

@@ -115,6 +115,10 @@ TEST_F(ForeignFilm, AStillIsMadeAgainFromItsFile) {
     EXPECT_EQ(again({"a.png", "-o", "e.png"}).errors,
               "a.png: flood.nc, of which the picture was made, is missing; copy it beside the "
               "picture, or name it by --from FILE\n");
+    EXPECT_EQ(
+        again({"a.png", "-o", "e.png", "--set", "bed.file=flood.nc"}).errors,
+        "--set 1:10: bed.file: a.png shows another model's results; --from FILE takes another "
+        "file of them\n");
 }
 
 TEST_F(ForeignFilm, AStillOfSeveralFilesIsMadeAgain) {
@@ -130,7 +134,6 @@ TEST_F(ForeignFilm, AStillOfSeveralFilesIsMadeAgain) {
              "depth=s/depth_*.asc", "--set", "image.width=160", "--set", "image.height=120"});
     ASSERT_EQ(made.status, 0) << made.errors;
     fs::rename(folder_ / "s", folder_ / "t");
-    fs::create_directory(folder_ / "u");
     fs::rename(folder_ / "a.png", folder_ / "t/a.png");
     const Ended again = run({"again", "t/a.png", "-o", "b.png"});
     EXPECT_EQ(again.errors, "b.png: the same pixels as t/a.png\n");
@@ -139,9 +142,41 @@ TEST_F(ForeignFilm, AStillOfSeveralFilesIsMadeAgain) {
     const Ended other = run({"again", "t/a.png", "-o", "c.png"});
     EXPECT_NE(other.errors.find("t/depth_2.asc: is not the file"), std::string::npos)
         << other.errors;
+    fs::remove(folder_ / "t/depth_2.asc");
+    const Ended missing = run({"again", "t/a.png", "-o", "c.png"});
+    EXPECT_EQ(missing.status, 2);
+    EXPECT_NE(missing.errors.find(
+                  "depth_2.asc: is one of the files that the picture was made of, and is missing"),
+              std::string::npos)
+        << missing.errors;
+    for (const char* added : {"elev_3", "depth_2", "depth_3"})
+        write_text(folder_ / ("t/" + std::string(added) + ".asc"), head + "0 1 0\n1 2 0\n");
+    const Ended more = run({"again", "t/a.png", "-o", "c.png"});
+    EXPECT_EQ(more.status, 2);
+    EXPECT_TRUE(more.errors.starts_with(
+        "t/elev_3.asc: is none of the files that the picture was made of; --from t/elev_*.asc "))
+        << more.errors;
     const Ended own = run({"again", "b.png", "-o", "c.png", "--from", "x.nc"});
     EXPECT_EQ(own.status, 2);
     EXPECT_FALSE(fs::exists(folder_ / "c.png"));
+}
+
+TEST_F(ForeignFilm, FromIsOneRunOfAnotherModel) {
+    const std::vector<std::string> small{"--step",          "0",     "--set",
+                                         "image.width=160", "--set", "image.height=120"};
+    const auto still = [&](std::vector<std::string> all) {
+        all.insert(all.end(), small.begin(), small.end());
+        ASSERT_EQ(run(all).status, 0);
+    };
+    still({"still", "flood.nc", "-o", "a.png"});
+    EXPECT_EQ(run({"again", "a.png", "--from", "flood.nc", "--from", "flood.nc"}).errors,
+              "a.png: --from is given 2 times, but a picture shows one run; several files of it "
+              "are a pattern of names ('elev_*.asc')\n");
+    write_text(folder_ / "scene.toml", small_scene());
+    still({"still", "scene.toml", "-o", "own.png"});
+    EXPECT_EQ(run({"again", "own.png", "--from", "flood.nc"}).errors,
+              "own.png: --from belongs to pictures and films of other models' results, and this is "
+              "none\n");
 }
 
 TEST_F(ForeignFilm, FieldsOfFumonNeedNoFolder) {
@@ -156,6 +191,33 @@ TEST_F(ForeignFilm, FieldsOfFumonNeedNoFolder) {
     const Ended alone = run({"film", "alone.nc", "film.toml", "-o", "alone_%02d.png"});
     ASSERT_EQ(alone.status, 0) << alone.errors;
     EXPECT_TRUE(fs::exists(folder_ / "alone_04.png"));
+}
+
+TEST_F(ForeignFilm, FieldsOfFumonThatLackAKeyAreAsBeforeIt) {
+    write_text(folder_ / "scene.toml", small_scene());
+    ASSERT_EQ(run({"run", "scene.toml", "-o", "out", "--quiet", "--set", "output.frames=false",
+                   "--set", "output.movie=false", "--set", "output.fields_every=2"})
+                  .status,
+              0);
+    fs::rename(folder_ / "out/fields.nc", folder_ / "alone.nc");
+    int id = 0;
+    std::size_t length = 0;
+    must(nc_open((folder_ / "alone.nc").c_str(), NC_WRITE, &id));
+    must(nc_inq_attlen(id, NC_GLOBAL, "scene", &length));
+    std::string scene(length, ' ');
+    must(nc_get_att_text(id, NC_GLOBAL, "scene", scene.data()));
+    const std::string key = "\ncontrast = \"auto\"";
+    ASSERT_NE(scene.find(key), std::string::npos);
+    scene.erase(scene.find(key), key.size());
+    must(nc_redef(id));
+    must(nc_put_att_text(id, NC_GLOBAL, "scene", scene.size(), scene.data()));
+    must(nc_close(id));
+    write_text(folder_ / "film.toml", std::string(film_of_dates) + "text = \"{step}\"\n");
+    ASSERT_EQ(run({"film", "alone.nc", "film.toml", "-o", "alone_%02d.png"}).status, 0);
+    std::string filmed;
+    for (const auto& [keyword, text] : read_png_texts(folder_ / "alone_00.png"))
+        if (keyword == "fumon:scene") filmed = text;
+    EXPECT_TRUE(contains(filmed, "\ncontrast = \"auto-0.2\"")) << filmed;
 }
 
 TEST_F(ForeignFilm, DescribeTakesSeveralFields) {
@@ -218,13 +280,20 @@ TEST_F(ForeignFilm, TwoRunsAreNamedByTheirFilesAndTheirWatersDiffer) {
     write_text(folder_ / "film.toml", one_frame);
     fs::create_directory(folder_ / "b");
     fs::copy(folder_ / "flood.nc", folder_ / "b/flood.nc");
-    const Ended alike =
-        run({"film", "flood.nc", "b/flood.nc", "film.toml", "--no-cache", "-o", "alike_%02d.png"});
-    ASSERT_EQ(alike.status, 0) << alike.errors;
-    const Ended told = run({"film", "flood.nc", "b/flood.nc", "film.toml", "--no-cache", "-o",
-                            "told_%02d.png", "--set", "panes.label=flood.nc"});
-    ASSERT_EQ(told.status, 0) << told.errors;
-    EXPECT_EQ(read_png(folder_ / "alike_00.png"), read_png(folder_ / "told_00.png"));
+    fs::create_directory(folder_ / "c");
+    fs::copy(folder_ / "flood.nc", folder_ / "c/flood.nc");
+    const auto panes = [&](const std::string& one, const std::string& other,
+                           std::vector<std::string> more) {
+        more.insert(more.begin(), {"film", one, other, "film.toml", "--no-cache", "--force", "-o",
+                                   "panes_%02d.png"});
+        const Ended made = run(more);
+        EXPECT_EQ(made.status, 0) << made.errors;
+        return read_png(folder_ / "panes_00.png");
+    };
+    const std::vector<std::string> in_b{"--set", "panes.label=b/flood.nc"};
+    EXPECT_EQ(panes("b/flood.nc", "b/flood.nc", {}), panes("flood.nc", "c/flood.nc", in_b));
+    EXPECT_NE(panes("b/flood.nc", "c/flood.nc", {}), panes("b/flood.nc", "c/flood.nc", in_b))
+        << "of one name in two folders";
     write_text(folder_ / "difference.toml",
                one_frame + "[[overlay]]\nkind = \"colour-bar\"\n[panes]\nshow = \"difference\"\n");
     const auto difference = [&](const std::string& name, std::vector<std::string> look) {
@@ -265,6 +334,18 @@ TEST_F(ForeignFilm, AHeapOnAFlatIsWhatAFilmByRuleShows) {
     for (const char* absent : {"stream", "cover ="})
         EXPECT_EQ(printed.output.find(absent), std::string::npos) << printed.output;
     EXPECT_NE(printed.output.find("title = \"Sand\""), std::string::npos) << printed.output;
+}
+
+TEST_F(ForeignFilm, AMountainOnAPlainIsNoSand) {
+    std::string heights = "ncols 12\nnrows 8\nxllcorner 0\nyllcorner 0\ncellsize 500\n";
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 12; ++x)
+            heights +=
+                std::to_string(500 * std::max(0, 3 - std::max(std::abs(x - 5), std::abs(y - 4)))) +
+                " ";
+    for (const char* file : {"land_1.asc", "land_2.asc"}) write_text(folder_ / file, heights);
+    const Ended printed = run({"film", "land_*.asc", "--print"});
+    EXPECT_NE(printed.output.find("cover = \"auto\""), std::string::npos) << printed.output;
 }
 
 TEST_F(ForeignFilm, AColouredFilmIsMadeAgainFromItsFile) {
@@ -389,6 +470,8 @@ TEST_F(ForeignFilm, ACurveTakesAFileInPlaceOfAScene) {
     EXPECT_EQ(again.errors, "again.svg: the same bytes as out/page.svg\n");
     const Ended profile = figure("table = \"profile\"\nstep = 1\nx = \"x\"\ny = \"water_level\"\n");
     EXPECT_EQ(profile.status, 0) << profile.errors;
+    const std::string caption = read_text(folder_ / "out/page.caption.txt");
+    EXPECT_TRUE(contains(caption, "; step 1; from flood.nc.")) << caption;
     EXPECT_EQ(figure("table = \"avalanches\"\nx = \"size\"\ny = \"size\"\n").errors,
               "page.toml:8:9: results of other models have measurements and profiles alone\n");
     EXPECT_EQ(figure("seeds = 2\nx = \"time\"\ny = \"mean_depth\"\n").errors,
@@ -416,6 +499,8 @@ void add_series(const fs::path& file, const char* name, const std::vector<double
 TEST_F(ForeignFilm, AGalleryShowsTheFilesOfAFolder) {
     add_series(folder_ / "flood.nc", "water_volume", {10, 30, 20});
     add_series(folder_ / "flood.nc", "constant", {1, 1, 1});
+    for (const char* known : {"step", "globaltime"})
+        add_series(folder_ / "flood.nc", known, {0, 1, 2});
     fs::create_directory(folder_ / "results");
     fs::rename(folder_ / "flood.nc", folder_ / "results/flood.nc");
     write_text(folder_ / "results/bad.nc", "mine");

@@ -82,5 +82,18 @@ TEST(KeptClear, SaysWhereThereIsNoRoom) {
         << painter.notes().front();
 }
 
+TEST(KeptClear, SaysNothingOfACameraThatGoesOverItsBlock) {
+    const FilmRuns runs(std::vector<std::string>(2, run_on_table()), 1);
+    WorkerPool pool(1);
+    for (const std::string move : {"fly-over", "push-in", "along-crest"}) {
+        const Film film = parse_film(
+            "[film]\nsize = \"small\"\n" + (shot + ("move = \"" + move + "\"\n")) + plates,
+            "f.toml");
+        const FilmPainter painter(film, runs, film_size(film), {}, gl::Backend::automatic, pool);
+        ASSERT_FALSE(painter.stage().kept_clear.empty());
+        EXPECT_TRUE(painter.notes().empty()) << move << ": " << painter.notes().front();
+    }
+}
+
 }  // namespace
 }  // namespace fumon

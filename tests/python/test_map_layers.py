@@ -84,7 +84,7 @@ def test_layers_are_brought_to_the_reference_system_of_the_heights():
     east, north = 500_000 + 10.0 * np.arange(-14.5, 15), 4_427_757 + 10.0 * np.arange(-9.5, 10)
     heights = xarray.DataArray(FLAT, coords={"y": north, "x": east}, dims=("y", "x"), attrs={"crs": "EPSG:32613"})
     meridian = line((-105, 39.99), (-105, 40.01))  # the middle of the zone: easting 500 km
-    for system in ("EPSG:4326", "OGC:CRS84"):
+    for system in ("EPSG:4326", "OGC:CRS84", "WGS84"):
         drawn = fumon.render(heights, layers={"file": Frame(meridian, system), **RED}, **MAP)
         assert is_red(drawn, 40, 60) and not is_red(drawn, 40, 45)
     own = line((499_900, 4_427_757), (500_100, 4_427_757))

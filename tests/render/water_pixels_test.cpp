@@ -244,6 +244,25 @@ TEST(WaterPixels, AreThoseOfSamplesDrawnByOpenGL) {
     }
 }
 
+// Each is a cell, and a cell is about as wide as a pixel.
+TEST(WaterPixels, PoolsAsSmallAsAPixelAreNoSpecks) {
+    Snapshot pools = under_water(flat_bed(100, 100), 0.0, 0.0);
+    for (int y = 10; y < 90; y += 8)
+        for (int x = 10; x < 90; x += 8) pools.fields[0].values(x, y) = 0.3;
+    View far = view_from(-50.0, 240.0, 160);
+    far.camera.look_at = {50, 50.1, 0};
+    far.look.water_clarity = {"", 0.1};
+    const Image image = picture(far, pools);
+    std::vector<int> middle;
+    for (int y = 60; y < 100; ++y) {
+        for (int x = 60; x < 100; ++x)
+            middle.push_back(image.row(y)[3 * static_cast<std::size_t>(x) + 1]);
+    }
+    std::sort(middle.begin(), middle.end());
+    EXPECT_GT(middle.front(), 0.65 * middle[middle.size() / 2]);
+    EXPECT_LT(middle.front(), 0.97 * middle[middle.size() / 2]);  // yet they are seen
+}
+
 TEST(WaterPixels, PixelsOfATileBeginBeforeItsFirstSample) {
     EXPECT_EQ(pixel_offset({128, 64}, 2), glm::ivec2(0, 0));
     EXPECT_EQ(pixel_offset({64, 65}, 3), glm::ivec2(-2, -1));

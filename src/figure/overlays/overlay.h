@@ -18,8 +18,8 @@
 
 namespace fumon {
 
-/// What a time plate says beside the time: that frames show records of a run until the next one
-/// comes, or what changes evenly between two of them.
+/// What a time plate says beside the time: that each frame shows the nearest record of a run as it
+/// is, or what changes evenly between two records.
 enum class TimeNote { none, held, blended };
 
 /// What overlays are made for: the frames of a scene, which outlives them.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -199,6 +200,14 @@ std::string read_fields_scene(const std::filesystem::path& file) {
         auto scene = input.text(NC_GLOBAL, "scene");
         if (!scene) input.refuse("holds no scene", "use the file that the run wrote");
         return *std::move(scene);
+    });
+}
+
+std::string read_fields_version(const std::filesystem::path& file) {
+    return locked(file, [](const NetcdfInput& input) {
+        constexpr std::string_view name = "fumon ";
+        const std::string source = input.text(NC_GLOBAL, "source").value_or("");
+        return source.starts_with(name) ? source.substr(name.size()) : std::string();
     });
 }
 

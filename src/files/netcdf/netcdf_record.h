@@ -40,6 +40,8 @@ std::vector<FieldsMoment> read_fields_moments(const std::filesystem::path& file)
 /// The resolved scene, as TOML, of the run that wrote such a file. Throws InputError where it holds
 /// none.
 std::string read_fields_scene(const std::filesystem::path& file);
+/// The version of fumon that wrote the file; empty where it does not say.
+std::string read_fields_version(const std::filesystem::path& file);
 
 /// The snapshot of a step from such a file. What changes from step to step is the record's: bed,
 /// fields, numbers, section, step and time; all else (size, units, names, scale) is that of

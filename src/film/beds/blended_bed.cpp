@@ -51,8 +51,15 @@ Snapshot blended(const Snapshot& one, const Snapshot& other, double share) {
         }
     }
     for (SnapshotNumber& number : all.numbers) {
-        if (const SnapshotNumber* to = find_named(other.numbers, number.name))
+        const SnapshotNumber* to = find_named(other.numbers, number.name);
+        if (to == nullptr) continue;
+        // The mean of two winds is none that blew.
+        const bool is_direction = number.unit == "degrees";
+        if (!is_direction) {
             number.value = between(number.value, to->value, share);
+        } else if (nearer_other) {
+            number.value = to->value;
+        }
     }
     if (nearer_other) all.section = other.section;
     return all;

@@ -16,7 +16,8 @@ struct RecordPlace {
 
 /// What lies between two snapshots of a run, at a share of the time between them: heights, fields
 /// and numbers change evenly. Cells without data in one of them have none. Of values that are not
-/// finite, of fields that mark cells and of the air above a bed the nearer snapshot's are taken.
+/// finite, of fields that mark cells, of directions and of the air above a bed the nearer
+/// snapshot's are taken.
 Snapshot blended(const Snapshot& one, const Snapshot& other, double share);
 
 }  // namespace fumon

@@ -248,6 +248,24 @@ std::size_t FilmRuns::in_step(std::size_t run, std::size_t bed, FilmClock clock)
     return static_cast<std::size_t>(nearest - stored.begin());
 }
 
+RecordPlace FilmRuns::in_step(std::size_t run, const RecordPlace& place, FilmClock clock) const {
+    if (run == 0) return place;
+    const std::size_t bed = in_step(run, place.bed, clock);
+    const std::size_t next = in_step(run, place.next, clock);
+    if (clock == FilmClock::step) return {bed, next, place.share};
+    const std::vector<StoredBed>& paced = first().beds();
+    const double time =
+        (1.0 - place.share) * paced[place.bed].time + place.share * paced[place.next].time;
+    const std::vector<StoredBed>& stored = beds_[run]->beds();
+    const auto after = static_cast<std::size_t>(
+        std::ranges::lower_bound(stored, time, {}, &StoredBed::time) - stored.begin());
+    if (after == 0) return {0, 0, 0.0};
+    if (after == stored.size()) return {after - 1, after - 1, 0.0};
+    if (stored[after].time == time) return {after, after, 0.0};
+    const double before = stored[after - 1].time;
+    return {after - 1, after, (time - before) / (stored[after].time - before)};
+}
+
 std::vector<fs::path> FilmRuns::files() const {
     std::vector<fs::path> all;
     for (const auto& run : beds_) {

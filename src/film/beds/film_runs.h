@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "film/beds/blended_bed.h"
 #include "film/beds/stored_beds.h"
 #include "film/script/film.h"
 
@@ -62,6 +63,11 @@ class FilmRuns {
     /// The bed of another run that goes with a bed of the first one: of the same step, or of the
     /// nearest time. Throws InputError, saying what is missing, where there is none.
     [[nodiscard]] std::size_t in_step(std::size_t run, std::size_t bed, FilmClock clock) const;
+    /// The place among another run's beds that goes with one among the first run's: between the
+    /// beds of the same steps, or by the time between the two of its own around that time. Throws
+    /// as above.
+    [[nodiscard]] RecordPlace in_step(std::size_t run, const RecordPlace& place,
+                                      FilmClock clock) const;
 
     /// The files that are read.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;

@@ -199,6 +199,13 @@ Scene scene_of_run(const fs::path& folder, const std::vector<std::string>& setti
     }
 }
 
+Scene scene_of_fields(const fs::path& file, const std::vector<std::string>& settings) {
+    SceneText text{read_fields_scene(file), file.string(), ""};
+    text.version = read_fields_version(file);
+    text.resolved = true;
+    return parse_scene(text, read_settings(settings));
+}
+
 Snapshot read_stored_bed(const Scene& scene, const fs::path& file, const Snapshot& outline) {
     Snapshot snapshot = outline;
     InitialBed read = make_initial_bed(scene_of_bed(scene, file));
@@ -249,7 +256,7 @@ StoredBeds StoredBeds::of_sweep(const fs::path& folder, std::int64_t number, int
                         stored.name_));
     }
     try {
-        Scene scene = parse_scene(SceneText{read_fields_scene(fields), fields.string(), ""}, {});
+        Scene scene = scene_of_fields(fields);
         const std::vector<InputFile> inputs =
             inputs_of(parse_json(read_input_file(stored.manifest_)));
         find_inputs(scene, inputs, stored.manifest_, "sweep");

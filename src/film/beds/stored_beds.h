@@ -28,6 +28,11 @@ struct StoredBed {
 Scene scene_of_run(const std::filesystem::path& folder,
                    const std::vector<std::string>& settings = {});
 
+/// The scene that a fields.nc records, with the defaults of the fumon that wrote it where it lacks
+/// keys. Throws InputError likewise.
+Scene scene_of_fields(const std::filesystem::path& file,
+                      const std::vector<std::string>& settings = {});
+
 /// A bed's file of such a run as a snapshot like `outline`. Throws InputError where it is damaged
 /// or of another size.
 Snapshot read_stored_bed(const Scene& scene, const std::filesystem::path& file,

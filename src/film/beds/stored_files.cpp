@@ -138,8 +138,7 @@ StoredBeds StoredBeds::of_own_fields(const fs::path& file, int threads,
     if (stored.beds_.empty())
         throw InputError(
             fmt::format("{}: has no record yet; let the run write one first", stored.name_));
-    Scene scene =
-        parse_scene(SceneText{read_fields_scene(file), file.string(), ""}, read_settings(settings));
+    Scene scene = scene_of_fields(file, settings);
     Scene at_start = scene;
     at_start.bed = BedSettings{};
     at_start.bed.kind = BedKind::file;

@@ -13,8 +13,7 @@ inline constexpr double filled_share = 0.68;
 /// A unit vector from what is looked at to a camera that stands there, degrees.
 glm::dvec3 towards(double azimuth, double elevation);
 
-/// From what a camera looks at, block lengths: as near as the whole block stays in the picture,
-/// clear of what the stage keeps clear.
+/// From what a camera looks at, block lengths: as near as the whole block stays in the picture.
 double fit_distance(const FilmStage& stage, const glm::dvec3& subject, double azimuth,
                     double elevation, double focal_length);
 

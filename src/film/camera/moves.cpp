@@ -104,18 +104,8 @@ class ShotPoses {
 
     /// Whether all of the block is seen from all poses.
     [[nodiscard]] bool fit() const {
-        if (shot_.follow || shot_.distance.word != "fit") return false;
-        switch (shot_.move) {
-            case Move::still:
-            case Move::morning_to_evening:
-                return shot_.keys.empty() && !place_;
-            case Move::orbit:
-            case Move::crane:
-            case Move::map_to_perspective:
-                return true;
-            default:
-                return false;
-        }
+        const bool stands = shot_.move == Move::still || shot_.move == Move::morning_to_evening;
+        return fits_block(shot_) && !(stands && place_);
     }
 
   private:
@@ -385,6 +375,21 @@ class ShotPoses {
 };
 
 }  // namespace
+
+bool fits_block(const Shot& shot) {
+    if (shot.follow || shot.distance.word != "fit") return false;
+    switch (shot.move) {
+        case Move::still:
+        case Move::morning_to_evening:
+            return shot.keys.empty();
+        case Move::orbit:
+        case Move::crane:
+        case Move::map_to_perspective:
+            return true;
+        default:
+            return false;
+    }
+}
 
 std::vector<CameraPose> poses_of(const Film& film, std::size_t shot, const FilmStage& stage,
                                  const StoredBeds& beds, const BedClock& clock) {

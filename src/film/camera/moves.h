@@ -11,6 +11,10 @@
 
 namespace fumon {
 
+/// Whether the camera of a shot sees the whole block all the time, as far as its keys say: its
+/// distance is "fit", and its move stays around the block.
+bool fits_block(const Shot& shot);
+
 /// The poses through which the camera of a shot goes, by its move. Throws InputError, located.
 std::vector<CameraPose> poses_of(const Film& film, std::size_t shot, const FilmStage& stage,
                                  const StoredBeds& beds, const BedClock& clock);
@@ -26,7 +30,8 @@ class StagedShot {
     /// The share of the shot, not of the way.
     [[nodiscard]] CameraPose pose_at(double share) const;
     [[nodiscard]] const BedClock& clock() const { return clock_; }
-    /// One line where the shot's keys lie in the ground, or nothing.
+    /// One line where the shot's keys lie in the ground, or where what is written over several
+    /// pictures covers the block of one that is to be seen whole; or nothing.
     [[nodiscard]] const std::string& note() const { return note_; }
 
   private:

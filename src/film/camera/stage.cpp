@@ -46,10 +46,6 @@ void lay_layers_of(const Film& film, const StoredBeds& beds, const std::vector<O
     lay_layers(scene, ground);
 }
 
-}  // namespace
-
-namespace {
-
 /// Refuses colours that a film asks for and no difference of two runs can have.
 void check_difference(const Scene& scene) {
     const Colouring by = scene.view.look.colour_by;
@@ -62,15 +58,16 @@ void check_difference(const Scene& scene) {
                      "\"field\"");
 }
 
-/// Lets a difference of two runs be of the water where it colours, and its bar say so.
+/// Lets a difference of two runs be of the water where it colours, and its bar say of what it is.
 void name_difference(View& view) {
     LookSettings& look = view.look;
     if (look.colour_by == Colouring::water_depth) {
         look.colour_by = Colouring::field;
         look.field = "water_depth";
     }
-    if (look.colour_by != Colouring::field && look.colour_by != Colouring::field_change) return;
-    std::string words = look.field;
+    const bool by_field =
+        look.colour_by == Colouring::field || look.colour_by == Colouring::field_change;
+    std::string words = by_field ? look.field : "height";
     std::ranges::replace(words, '_', ' ');
     for (OverlaySettings& overlay : view.overlays)
         if (overlay.kind == OverlayKind::colour_bar && overlay.text.empty())

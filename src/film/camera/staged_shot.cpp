@@ -61,7 +61,7 @@ StagedShot::StagedShot(const Film& film, std::size_t shot, const FilmStage& stag
     constexpr const char* covered =
         "shot {}: what is written over several pictures covers the ground in one of them; take a "
         "larger film.size, a smaller film.cap_height, fewer overlays, or a longer shot.distance";
-    if (film.shots[shot].distance.word == "fit" && film.shots[shot].keys.empty() &&
+    if (fits_block(film.shots[shot]) &&
         (is_covered(stage, path_.at(0.0)) || is_covered(stage, path_.at(1.0))))
         note_ = fmt::format(covered, shot + 1);
     const double upward = stage.block.exaggeration / stage.block.side;

@@ -216,7 +216,8 @@ bool is_dry(const Snapshot& snapshot) {
            std::ranges::none_of(depth->values(), [](double value) { return value > 0.0; });
 }
 
-/// Whether a bed is flat but for what rises from it, as sand does from a beach.
+/// Whether a bed is flat but for what rises from it, as sand does from a beach, and not as high as
+/// a mountain.
 bool is_heaped(const Snapshot& snapshot) {
     std::vector<double> heights;
     for (std::size_t cell = 0; cell < snapshot.bed.size(); ++cell)
@@ -226,6 +227,9 @@ bool is_heaped(const Snapshot& snapshot) {
     const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
     std::ranges::nth_element(heights, middle);
     const auto [low, high] = std::ranges::minmax(heights);
+    constexpr double highest_sand = 100.0;  // metres
+    if (snapshot.scale.in_metres && (high - low) * snapshot.scale.height_unit > highest_sand)
+        return false;
     constexpr double higher = 4.0;
     return high - *middle > higher * (*middle - low);
 }

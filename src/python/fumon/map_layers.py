@@ -14,7 +14,8 @@ from typing import Any, Iterable, Mapping, Protocol, runtime_checkable
 
 _of_geojson = {"Feature", "FeatureCollection", "Point", "MultiPoint", "LineString", "MultiLineString", "Polygon",
                "MultiPolygon", "GeometryCollection"}
-_system = re.compile(r"\w+:.+|[A-Z_]+\[|\+|\{")  # "EPSG:4326", an URN or address, WKT, PROJ, PROJJSON
+# "EPSG:4326", an URN or address, WKT, PROJ, PROJJSON, "WGS84"
+_system = re.compile(r"\w+:.+|[A-Z_]+\[|\+|\{|(WGS|NAD|CRS)\d\d$")
 _kept: dict[int, str] = {}  # the folder of a process: one that was forked leaves its parent's alone
 
 

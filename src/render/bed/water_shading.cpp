@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/rounding.h"
+#include "numerics/smooth_step.h"
 #include "render/colour/grain.h"
 #include "render/rain/drop_rings.h"
 
@@ -140,16 +141,23 @@ std::uint8_t byte_of(float share) {
     return static_cast<std::uint8_t>(nearest(255.0F * std::clamp(share, 0.0F, 1.0F)));
 }
 
-/// How damp ground is, what was laid down on it and its value.
+/// How far water covers a cell, 0 … 1: as shaders/bed/water.glsl closes it over even ground.
+float cover_by(float depth, double clarity, double closed) {
+    return static_cast<float>(smooth_step(0.004, 0.06, depth / clarity) *
+                              smooth_step(0.5, 1.7, depth / closed));
+}
+
+/// How damp ground is, what was laid down on it, its value and how far water covers it.
 Field<std::uint8_t> wet_ground_texels(const DisplayWater& water, const Field<float>& worked,
-                                      const Field<std::uint16_t>& values) {
+                                      const Field<std::uint16_t>& values, double clarity,
+                                      double closed) {
     Field<std::uint8_t> texels(4 * values.nx(), values.ny());
     std::uint8_t* texel = texels.data();
     for (std::size_t i = 0; i < values.size(); ++i, texel += 4) {
         texel[0] = byte_of(water.damp.values()[i]);
         texel[1] = byte_of(0.5F + 0.5F * worked.values()[i]);
         texel[2] = byte_of(static_cast<float>(values.values()[i]) / 65535.0F);
-        texel[3] = 255;
+        texel[3] = byte_of(cover_by(water.depth.values()[i], clarity, closed));
     }
     return texels;
 }
@@ -225,7 +233,7 @@ void WaterShading::upload(const Snapshot& snapshot, const Snapshot& first,
     const double whole = std::max(layers_laid * closed_depth_, least_laid);
     const Field<float> worked = worked_bed(snapshot, first, whole, refinement_);
     surface_.upload(interleaved({&slope_x, &slope_y, &fronts}, water.ringed, 1.0F).data());
-    ground_.upload(wet_ground_texels(water, worked, values).data());
+    ground_.upload(wet_ground_texels(water, worked, values, clarity_, closed_depth_).data());
     rains_ = !water.rings.empty();
     ring_mean_ = rains_ ? static_cast<float>(water.rings.back()[2]) / 255.0F : 0.0F;
     for (std::size_t level = 0; level < water.rings.size(); ++level)

@@ -402,7 +402,7 @@ DisplayWater display_water(const Snapshot& snapshot, int refinement, WorkerPool&
              {std::pair(&slope_x, &water.slope_x), std::pair(&slope_y, &water.slope_y)}) {
             Field<float> slopes = *coarse;
             extrapolate_outward(slopes, open, 0.0F);
-            *fine = refined(slopes, refinement);
+            *fine = refined(averaged(averaged(slopes)), refinement);
         }
         const Grid& depth = values_of(snapshot, "water_depth");
         water.damp = refined(dampness(depth, dry, closed_depth(snapshot.scale)), refinement);

@@ -46,6 +46,15 @@ TEST(DisplayWater, LiesLevelAcrossAChannelOfOneCell) {
     EXPECT_NEAR(sheet.slope_x(0, 10), 0.3F, 1e-5F);
 }
 
+// Else its four flanks mirror four parts of the sky: a star.
+TEST(DisplayWater, ABumpOfOneCellHardlyTiltsTheSurface) {
+    Snapshot pond = under_water(flat_bed(20, 20), 0.5, 0.0);
+    pond.fields[0].values(10, 10) += 0.06;
+    const DisplayWater water = displayed_water(pond, 1);
+    EXPECT_GT(*std::ranges::max_element(water.slope_x.values()), 0.001F);
+    EXPECT_LT(*std::ranges::max_element(water.slope_x.values()), 0.01F);  // 0.03 by differences
+}
+
 TEST(DisplayWater, AStreamDoesNotClimbItsBanksBetweenCells) {
     // A channel of one cell that falls by 0.2 a cell, two centimetres deep, between walls of 1.2.
     constexpr int finer = 8;
