@@ -70,7 +70,7 @@ vec3 ground_albedo(vec2 position, BedPoint point, float value) {
 
 vec3 ground_albedo(vec2 position, BedPoint point) { return ground_albedo(position, point, texture(value_map, position).r); }
 
-bool eroded = false;  // between the banks that water has cut
+bool eroded = false;  // on ground that water shapes, whose banks stand over against each other
 
 // What reaches a place: the sun's light, the sky's, and that of ground around, whose colour is `albedo`.
 vec3 light_onto(vec3 from_sun, vec3 albedo, BedPoint point) {

@@ -29,7 +29,7 @@ class TensionSurface {
     struct Level {
         Mask unknown;
         std::vector<Run> all;   ///< unknown cells
-        std::vector<Run> seam;  ///< and those near known ones, where that are not all
+        std::vector<Run> seam;  ///< those near known ones; empty on levels of few cells
     };
 
     [[nodiscard]] static Level level_of(Mask unknown);

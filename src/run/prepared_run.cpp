@@ -25,6 +25,7 @@
 #include "render/life/person_layer.h"
 #include "render/life/track_layer.h"
 #include "render/streamers/blown_sand.h"
+#include "render/view/ground_choice.h"
 #include "render/view/lens.h"
 #include "render/view/water.h"
 #include "run/output_files.h"
@@ -122,11 +123,12 @@ void check_overlays(const Scene& scene, const Snapshot& first) {
     }
 }
 
-/// Who stands or walked on the bed, and files beside frames: those for GIS need a map, and a bed
-/// that lies on one.
+/// A sea, who stands or walked on the bed, and files beside frames: those for GIS need a map, and a
+/// bed that lies on one.
 void check_persons_and_files(const Scene& scene, const Snapshot& first) {
     try {
         check_lens(scene.view, first);
+        check_sea(scene.view, first);
         check_persons(scene.view, first);
         check_tracks(scene.view, first);
         check_streamers(scene.view, first);
@@ -190,9 +192,10 @@ bool asks_for_more(const Scene& scene) {
     const LookSettings& look = scene.view.look;
     return look.mark != Marking::none || leaves_cells_uncoloured(look.colour_by) ||
            look.mode == ViewMode::figure || scene.view.section != SectionSettings{} ||
-           has_overlays(scene) || scene.output.world_files || scene.output.geotiff_frames ||
-           scene.output.exr_frames || !scene.view.persons.empty() || !scene.view.tracks.empty() ||
-           scene.view.streamers.strength > 0.0 || !scene.output.columns.empty();
+           has_overlays(scene) || !look.sea_level.is_word() || scene.output.world_files ||
+           scene.output.geotiff_frames || scene.output.exr_frames || !scene.view.persons.empty() ||
+           !scene.view.tracks.empty() || scene.view.streamers.strength > 0.0 ||
+           !scene.output.columns.empty();
 }
 
 /// Checks the scene's palette, and puts names and tables that it refers to in their place.

@@ -249,11 +249,20 @@ class Reader {
         }
     }
 
+    /// Whether a key is of an item of a list, of which the text says nothing: settings add it.
+    [[nodiscard]] bool is_of_added_item(const std::string& path) const {
+        if (without_numbers(path) == path) return false;
+        const std::string item = path.substr(0, path.rfind('.') + 1);
+        const auto said = scene_.locations.lower_bound(item);
+        return said == scene_.locations.end() || !said->first.starts_with(item);
+    }
+
     /// Keys that came, within one version, after the text was kept.
     void take_absent_keys() const {
         for (const Key& key : table_.keys()) {
             const bool had = is_earlier_version(version_, key.notes.earlier.until);
-            if (!had && !scene_.locations.contains(key.path)) take_default_of_absence(key);
+            if (had || scene_.locations.contains(key.path) || is_of_added_item(key.path)) continue;
+            take_default_of_absence(key);
         }
     }
 

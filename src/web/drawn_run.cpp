@@ -13,6 +13,7 @@
 #include "base/worker_pool.h"
 #include "figure/overlays/overlay_text.h"
 #include "picture/stills/picture_file.h"
+#include "render/land/sea_water.h"
 #include "render/view/framing.h"
 #include "render/view/ground_choice.h"
 #include "render/view/shown_snapshot.h"
@@ -72,9 +73,13 @@ Snapshot without_air(const Snapshot& snapshot) {
     return bare;
 }
 
-/// As its surface is shown: a profile as a strip.
+/// As its surface is shown: a profile as a strip, a coast with its sea.
 Snapshot surface_of(const Snapshot& snapshot, const View& view) {
-    if (snapshot.bed.ny() > 1) return snapshot;
+    if (snapshot.bed.ny() > 1) {
+        Snapshot surface = snapshot;
+        if (!view.look.sea_level.is_word()) add_sea(surface, view.look.sea_level.value);
+        return surface;
+    }
     std::optional<Snapshot> strip = shown_snapshot(snapshot, view);
     return strip ? *std::move(strip) : snapshot;
 }

@@ -5,6 +5,7 @@
 #include <any>
 #include <string>
 
+#include "keys/override.h"
 #include "models/dunes/setup/dunes_parameters.h"
 #include "scene/read.h"
 #include "scene/scene_keys.h"
@@ -105,6 +106,17 @@ TEST(EarlierDefaultsTest, AKeyThatAResolvedSceneLacksMeansWhatItsAbsenceMeant) {
     };
     EXPECT_EQ(saturation_of("", true), "hops");
     EXPECT_EQ(saturation_of("", false), "auto");
+}
+
+TEST(EarlierDefaultsTest, AnItemThatASettingAddsToAResolvedSceneIsNotOfThen) {
+    const std::string text =
+        "[model]\nname = \"sand\"\n[grid]\nnx = 20\nny = 20\ncell_size = 1.0\n"
+        "[run]\nsteps = 1\n[[person]]\nat = [1.0, 2.0]\n";
+    const SceneText kept{text, "kept.toml", "", true, nullptr, FUMON_VERSION, true};
+    const Scene scene = parse_scene(kept, read_settings({"person.1.at=[3, 4]"}));
+    EXPECT_EQ(scene.view.persons.at(0).facing.value, 180.0) << "kept without the key";
+    EXPECT_FALSE(scene.view.persons.at(0).facing.is_word());
+    EXPECT_EQ(scene.view.persons.at(1).facing.word, "auto");
 }
 
 }  // namespace

@@ -140,6 +140,8 @@ TEST_F(RunPageTest, TakesTerrainWithHoles) {
     const std::string far = read_text(*place_ / "far.html");
     EXPECT_TRUE(contains(far, "dem.asc"));
     EXPECT_FALSE(contains(far, place_->path().string())) << "tells of folders of this machine";
+    ASSERT_EQ(write("dem.asc", "coast.html", {"--set", "look.sea_level=101"}).status, 0);
+    EXPECT_TRUE(data_of(read_text(*place_ / "coast.html")).contains("depths"));
 }
 
 TEST_F(RunPageTest, HoldsTheWaterOfARun) {

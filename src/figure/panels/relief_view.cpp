@@ -10,6 +10,7 @@
 #include "base/elementary_angle.h"
 #include "base/units.h"
 #include "render/view/block.h"
+#include "render/view/framing.h"
 #include "render/view/shown_snapshot.h"
 #include "render/view/water.h"
 
@@ -60,8 +61,7 @@ const Snapshot& roughest_of(const Snapshot& first, std::span<const Snapshot> sna
 
 void fit_block(View& view, const Snapshot& first, std::span<const Snapshot> snapshots) {
     LookSettings& look = view.look;
-    const bool from_mean =
-        look.datum == Datum::mean || (look.datum == Datum::automatic && has_water(first));
+    const bool from_mean = counts_from_own_mean(look, first);
     const auto shown_span = [&](const Snapshot& snapshot) {
         const std::optional<Snapshot> part = shown_snapshot(snapshot, view);  // of a profile
         return span_of(part ? *part : snapshot, from_mean);

@@ -46,7 +46,7 @@ double depth_of_colour(const SandColours& sand) {
     return std::clamp((saturation - as_quartz) / (as_iron_red - as_quartz), 0.0, 1.0);
 }
 
-/// As a photograph of a desert under a low sun is developed, with deep shadows: slopes that face
+/// As a photograph of a desert under a low sun is developed, with contrast: slopes that face
 /// the sun are then far brighter than the level ground that the light's exposure is for. A high
 /// sun, night, clouds, red sand and other planets need less.
 Rendering chosen_rendering(const View& view, const Light& light) {

@@ -232,12 +232,15 @@ Block framed_block(const View& view, const Snapshot& first) {
     return block;
 }
 
+bool counts_from_own_mean(const LookSettings& look, const Snapshot& first) {
+    if (look.datum != Datum::automatic) return look.datum == Datum::mean;
+    return has_water(first) && look.sea_level.is_word();
+}
+
 Block block_of_frame(const Block& block, const LookSettings& look, const Snapshot& first,
                      const Snapshot& snapshot) {
-    Datum datum = look.datum;
-    if (datum == Datum::automatic) datum = has_water(first) ? Datum::mean : Datum::first;
     Block framed = block;
-    if (datum == Datum::mean)
+    if (counts_from_own_mean(look, first))
         framed.reference = height_statistics(snapshot.bed, snapshot.nodata).mean;
     return framed;
 }

@@ -12,8 +12,12 @@ namespace fumon {
 /// The block of a view, fixed by the run's first snapshot as it is shown.
 Block framed_block(const View& view, const Snapshot& first);
 
+/// Whether heights count from the mean of each frame's own bed: by look.datum, whose "auto" does so
+/// under a model's water. The sea of look.sea_level stays where it is, so land sinks and rises.
+bool counts_from_own_mean(const LookSettings& look, const Snapshot& first);
+
 /// The block of one frame: heights count from the mean of the run's first bed (as it is shown) or,
-/// by look.datum, from that of the frame's own bed, which is "auto" under water.
+/// by counts_from_own_mean(), from that of the frame's own bed.
 Block block_of_frame(const Block& block, const LookSettings& look, const Snapshot& first,
                      const Snapshot& snapshot);
 

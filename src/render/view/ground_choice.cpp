@@ -46,9 +46,21 @@ void check_cover(const View& view, const Snapshot& first) {
                        "\"auto\" covers terrain, dry or under water; this bed takes \"bare\"");
 }
 
+void check_sea(const View& view, const Snapshot& first) {
+    if (view.look.sea_level.is_word()) return;
+    const auto refuse = [](const char* why) {
+        throw KeyError("look.sea_level",
+                       fmt::format("look.sea_level {}; \"none\" draws this one", why));
+    };
+    if (first.periodic) refuse("is for a bed with an edge, and this one goes on past its sides");
+    if (first.bed.ny() < 2) refuse("is for beds of more than one row");
+    if (!first.scale.in_metres) refuse("is a height in metres, and this bed has none");
+}
+
 View with_chosen_ground(View view, const Snapshot& first) {
     check_background(view, first);
     check_cover(view, first);
+    check_sea(view, first);
     if (!is_endless(view, first)) {
         view.look.ground = Ground::table;
         return view;

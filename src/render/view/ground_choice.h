@@ -19,8 +19,11 @@ void check_background(const View& view, const Snapshot& first);
 /// Throws KeyError where a cover of land, or its snow, is asked for where there is none.
 void check_cover(const View& view, const Snapshot& first);
 
+/// Throws KeyError where a sea is asked for and the bed has no edge, one row or no metres.
+void check_sea(const View& view, const Snapshot& first);
+
 /// The view with look.ground chosen: where it is "auto", endless for what can be. Throws InputError
-/// where it is endless for what cannot be, and as check_background.
+/// where it is endless for what cannot be, and as the checks above.
 View with_chosen_ground(View view, const Snapshot& first);
 
 }  // namespace fumon

@@ -55,9 +55,11 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
     Grid surface = heights;
     if (has_water(first)) {
         const Grid water = in_tile(*field_of(first.fields, "water_depth"));
-        for (std::size_t i = 0; i < surface.size(); ++i) surface.values()[i] += water.values()[i];
+        for (std::size_t i = 0; i < surface.size(); ++i)
+            surface.values()[i] += water.values()[i] / first.scale.height_unit;
     }
-    sea_ = sea_level(surface, depth, has_water(first) ? closed_depth(first.scale) : 0.0);
+    sea_ = sea_level(surface, depth,
+                     has_water(first) ? closed_depth(first.scale) / first.scale.height_unit : 0.0);
     if (sea_) {
         make_coast(first, outside, *sea_);
         return;
@@ -94,10 +96,7 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
 
     // Beside the bed its own relief goes on; ridges and valleys that others begin with come later.
     Grid under = broad(relief_);
-    Mask inside(nx_, ny_);
-    for (std::size_t i = 0; i < inside.size(); ++i)
-        inside.values()[i] = outside.values()[i] == 0 ? 1 : 0;
-    const Field<float> away = distances_to(inside);
+    const Field<float>& away = surroundings_->away;
     for (std::size_t i = 0; i < under.size(); ++i) {
         const auto far = static_cast<double>(away.values()[i]);
         under.values()[i] =
@@ -164,7 +163,7 @@ void SurroundingPlain::make_coast(const Snapshot& first, const Mask& outside, do
         if (within.values()[i] <= 1.5F) highest = std::max(highest, over.values()[i]);
     }
     lead_over(over, outside, between);
-    const Field<float> away = distances_to(inside);
+    const Field<float>& away = surroundings_->away;
     own_ = heights;
     for (std::size_t i = 0; i < own_.size(); ++i) {
         if (inside.values()[i] != 0) continue;
@@ -228,13 +227,13 @@ void SurroundingPlain::lead_over(Grid& tile, const Mask& outside, const Mask& be
     }
     led = broad(led);
     for (std::size_t i = 0; i < tile.size(); ++i) tile.values()[i] -= led.values()[i];
-    fill_in_tension(tile, between);
+    surroundings_->between.fill(tile);
     for (std::size_t i = 0; i < tile.size(); ++i) tile.values()[i] += led.values()[i];
 }
 
 /// Water that leaves the bed runs on as deep as it leaves, along the way down. All other ground is
 /// as damp as the bed's edge is on average where no stream or lake lies, and deeper water at the
-/// edge gives way to that within a few cells.
+/// edge gives way to that within a few cells; by a sea at once.
 void SurroundingPlain::add_water(const Snapshot& snapshot, const Surroundings& all,
                                  Snapshot& maps) const {
     const auto inside = [&](std::size_t cell) { return all.outside.values()[cell] == 0; };
@@ -281,9 +280,10 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, const Surroundings& a
     const auto share = [&](int x, int y) {
         return smooth_step(-ends_within, -0.5, -static_cast<double>(all.away(x, y)));
     };
-    const double far_depth = sea_ ? std::max(*sea_ - level_, film) : film;
+    const double unit = snapshot.scale.height_unit;
+    const double far_depth = sea_ ? std::max((*sea_ - level_) * unit, film) : film;
     set("water_depth", far_depth, [&](int x, int y, double continued) {
-        const double sea = sea_ ? *sea_ - maps.bed(x, y) : 0.0;
+        const double sea = sea_ ? (*sea_ - maps.bed(x, y)) * unit : 0.0;
         if (sea > film) return sea;
         const double beside = sea_ ? film : std::max(continued, 0.0);  // the sea wets no land
         return std::max(stream(x, y), std::lerp(film, beside, share(x, y)));

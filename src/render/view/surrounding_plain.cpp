@@ -162,15 +162,15 @@ SurroundingPlain::SurroundingPlain(const Snapshot& first, WorkerPool& pool)
     ny_ = tile_side(bed_ny_, margin);
     west_ = (nx_ - bed_nx_) / 2;
     south_ = (ny_ - bed_ny_) / 2;
-    const Mask outside = outside_of(first.nodata);
+    nodata_ = first.nodata;
+    surroundings_ = surroundings(nodata_);
+    const Mask& outside = surroundings_->outside;
     const Grid heights = in_tile(first.bed);
     const Field<float> depth = distances_to(outside);
     find_level(heights, outside, depth);
     make_relief(heights, outside, depth, pool);
     const bool land = first.landform == Landform::terrain || first.landform == Landform::water;
     if (land && first.bed.ny() > 1) make_land(first, outside);
-    nodata_ = first.nodata;
-    surroundings_ = surroundings(nodata_);
 }
 
 Mask SurroundingPlain::outside_of(const Mask& nodata) const {
@@ -232,8 +232,7 @@ void SurroundingPlain::make_relief(const Grid& heights, const Mask& outside,
         known.values()[i] = outside.values()[i] == 0 ? 1.0 : 0.0;
         if (outside.values()[i] != 0) extended.values()[i] = level_;
     }
-    const TensionSurface between(between_bed_and_plain(outside));
-    between.fill(extended);
+    surroundings_->between.fill(extended);
     const Grid broad = smoothed(extended, Grid(nx_, ny_, 1.0), largest);
     relief_ = Grid(nx_, ny_);
     Grid squares(nx_, ny_);
@@ -269,7 +268,7 @@ void SurroundingPlain::make_relief(const Grid& heights, const Mask& outside,
         double& rough = squares.values()[i];
         rough = outside.values()[i] == 0 ? std::clamp(rough - usual, -most_rough, most_rough) : 0.0;
     }
-    between.fill(squares);
+    surroundings_->between.fill(squares);
     for (double& rough : squares.values())
         rough = elementary::exp(std::clamp(rough, -most_rough, most_rough));
     roughness_ = std::move(squares);

@@ -77,7 +77,6 @@ class SurroundingPlain {
     };
 
     [[nodiscard]] std::shared_ptr<const Surroundings> surroundings(const Mask& nodata) const;
-    [[nodiscard]] bool inside(int x, int y, const Mask& nodata) const;
     [[nodiscard]] Mask outside_of(const Mask& nodata) const;
     [[nodiscard]] Grid in_tile(const Grid& field) const;
     [[nodiscard]] Mask between_bed_and_plain(const Mask& outside) const;

@@ -136,7 +136,8 @@ void list_surroundings_keys(LookSettings& look, KeyTable& table) {
         {{"auto",
           "over endless ground 1.35, up to 1.8 with half a stop less light under a low sun, "
           "but not of red sand, and 1.12 with 0.3 stops less with look.cover = \"auto\"; else 1. "
-          "Over sand by day, shade two stops below middle grey keeps its share of the light"},
+          "Without such a cover, by day, shade two stops below middle grey and deeper keeps its "
+          "share of the light"},
          {"auto-0.2", "the same numbers, with shade as dark as the power makes it"}},
         {.range = {0.2, 4},
          .help = "contrast of light before the tone curve: a power around middle grey",
@@ -222,7 +223,8 @@ void list_height_keys(LookSettings& look, KeyTable& table) {
                         .help = "thickness of the block under the first bed's lowest place"});
     table.choice(
         "look.datum", look.datum,
-        {{Datum::automatic, "auto", "mean for models with water, else first"},
+        {{Datum::automatic, "auto",
+          "mean for models with water and without look.sea_level, else first"},
          {Datum::first, "first", "the first bed's heights: a bed that sinks is seen to sink"},
          {Datum::mean, "mean",
           "each frame's mean height: a bed that sinks as a whole stays framed"}},

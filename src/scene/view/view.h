@@ -194,7 +194,7 @@ struct StreamerSettings {
     double travel = 0.25;            ///< m (or sites) that they go on by in a step
 };
 
-/// A person who stands on the bed, as a scale: 1.75 m tall.
+/// A person who stands on the bed, as a scale: the first is 1.75 m tall.
 struct PersonSettings {
     std::vector<double> at;          ///< metres east and north of the bed's south-western corner
     WordOrReal facing{"auto", 0.0};  ///< degrees clockwise from north

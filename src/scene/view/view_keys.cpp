@@ -91,9 +91,10 @@ void list_view_keys(View& view, KeyTable& table) {
     list_streamer_keys(view.streamers, table);
     list_look_keys(view.look, table);
     list_image_keys(view.image, table);
-    table.tables("person", view.persons,
-                 "a person of 1.75 m who stands on the bed as a scale (scenic, perspective)",
-                 list_person_keys);
+    table.tables(
+        "person", view.persons,
+        "a person who stands on the bed as a scale, the first of 1.75 m (scenic, perspective)",
+        list_person_keys);
     table.tables("track", view.tracks, "prints in the sand along a line (scenic, perspective)",
                  list_track_keys);
     list_layers(view.layers, table);

@@ -65,5 +65,20 @@ TEST(GroundChoice, RefusesACoverWhereThereIsNoLand) {
     EXPECT_THROW(with_chosen_ground(view, land), KeyError) << "snow without a cover";
 }
 
+TEST(GroundChoice, RefusesASeaWhereItHasNoShore) {
+    View view;
+    view.look.sea_level = 0.5;
+    Snapshot land = periodic_bed();
+    land.scale.in_metres = true;
+    EXPECT_THROW(with_chosen_ground(view, land), KeyError) << "no edge";
+    land.periodic = false;
+    EXPECT_NO_THROW(with_chosen_ground(view, land));
+    Snapshot in_sites = land;
+    in_sites.scale.in_metres = false;
+    EXPECT_THROW(with_chosen_ground(view, in_sites), KeyError);
+    land.bed = Grid(8, 1, 1.0);
+    EXPECT_THROW(with_chosen_ground(view, land), KeyError) << "a profile";
+}
+
 }  // namespace
 }  // namespace fumon

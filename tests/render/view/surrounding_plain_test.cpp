@@ -332,6 +332,28 @@ TEST(SurroundingLand, HasWaterOfOneLevelInTheSea) {
     }
 }
 
+TEST(SurroundingLand, CountsDepthsInMetresAndHeightsInTheirUnit) {
+    const Snapshot bed = coast(8.0);
+    Snapshot in_quarters = bed;
+    in_quarters.scale.height_unit = 0.25;
+    for (SnapshotField& field : in_quarters.fields)
+        if (field.name == "water_depth")
+            for (double& depth : field.values.values()) depth *= 0.25;
+    const PlainMaps metres(bed);
+    const PlainMaps quarters(in_quarters);
+    const Grid& deep = *field_of(metres.maps.fields, "water_depth");
+    const Grid& quarter = *field_of(quarters.maps.fields, "water_depth");
+    int wet = 0;
+    for (int y = 0; y < metres.ny; ++y) {
+        for (int x = 0; x < 2 * metres.nx; ++x) {
+            if (deep(x, y) < 1.0) continue;
+            ++wet;
+            ASSERT_NEAR(quarter(x, y), 0.25 * deep(x, y), 1e-9) << x << ' ' << y;
+        }
+    }
+    EXPECT_GT(wet, metres.nx * metres.ny);
+}
+
 TEST(SurroundingLand, LeavesLandByTheSeaDry) {
     Snapshot bed = coast(8.0);
     bed.bed(10, 20) = -20.0;  // a dry hollow

@@ -344,5 +344,17 @@ TEST(Datum, ABedThatSinksAsAWholeStaysWhereItWas) {
     EXPECT_NE(later_picture(view, first, sunk), mean);
 }
 
+TEST(Datum, TheSeaStaysWhereItIs) {
+    const Snapshot dry = wavy_bed(20, 20);
+    const Snapshot wet = under_water(dry, 0.01, 0.6);
+    LookSettings look;
+    EXPECT_FALSE(counts_from_own_mean(look, dry));
+    EXPECT_TRUE(counts_from_own_mean(look, wet));
+    look.sea_level = 0.0;
+    EXPECT_FALSE(counts_from_own_mean(look, wet));
+    look.datum = Datum::mean;
+    EXPECT_TRUE(counts_from_own_mean(look, wet));
+}
+
 }  // namespace
 }  // namespace fumon
