@@ -28,8 +28,12 @@ constexpr int coarse_cell = 8;             // cells: over which slopes at the be
 constexpr double begins_within = 10.0;     // cells from the bed
 constexpr double ends_within = 4.0;        // cells: water that no valley takes
 constexpr double coast_begins_within = 6.0;
-constexpr double least_stream = 3.0;  // of closed_depth: of streams and lakes
-constexpr double rim_share = 0.125;   // of the bed's shorter side
+constexpr double coast_ends_within = 0.5;  // of the margin: the edge's slopes
+constexpr int known_at_end = 3;            // cells of the tile
+constexpr double bays = 0.15;              // of the margin
+constexpr double least_land = 0.05;        // of the highest edge: what leads from land far along it
+constexpr double least_stream = 3.0;       // of closed_depth: of streams and lakes
+constexpr double rim_share = 0.125;        // of the bed's shorter side
 constexpr double gentler_rim = 0.85;  // of the bed's mean gradient: land around it is gentler, too
 
 /// Of the cells that lie within so many of the edge; `depth`: how many each lies within.
@@ -112,7 +116,7 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
             cells.values()[i] = LandCell::known;
         }
     }
-    lead_over(missing, outside, between);
+    lead_over(missing, between);
     own_ = Grid(nx_, ny_);
     for (std::size_t i = 0; i < own_.size(); ++i)
         own_.values()[i] = outside.values()[i] == 0
@@ -126,15 +130,15 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
     downstream_ = route_flow(own_, {}, dx, dy).receiver;
 }
 
-/// Land goes on beyond the bed's edge with ridges and valleys, as far as it stands over the sea.
+/// Land goes on beyond the edge with ridges and valleys, and falls to the sea before the tile ends.
 void SurroundingPlain::make_coast(const Snapshot& first, const Mask& outside, double sea) {
     const double dx = first.scale.dx;
     const double dy = first.scale.dy;
     const LandRelief wanted = relief_of(first.bed, first.nodata, dx, dy);
     const SlopeByArea slopes(first.bed, first.nodata, dx, dy);
-    const double wander = wander_share * std::min(west_, south_);
-    const DrainedTile tile = drained_tile(relief_, slopes, wanted, dx, dy, wander);
-    const Mask between = between_bed_and_plain(outside);
+    const int margin = std::min(west_, south_);
+    const DrainedTile tile = drained_tile(relief_, slopes, wanted, dx, dy, wander_share * margin);
+    const Mask between = within_of_bed(outside, coast_ends_within);
     const Grid heights = in_tile(first.bed);
     const Field<float> within = distances_to(outside);
     Mask inside(nx_, ny_);
@@ -157,23 +161,46 @@ void SurroundingPlain::make_coast(const Snapshot& first, const Mask& outside, do
     double hills = 0.0;
     for (std::size_t i = 0; i < over.size(); ++i) {
         hills += tile.heights.values()[i] / static_cast<double>(over.size());
-        if (between.values()[i] == 0) cells.values()[i] = LandCell::known;
         if (inside.values()[i] == 0) continue;
+        cells.values()[i] = LandCell::known;
         over.values()[i] = heights.values()[i] - level_;
         if (within.values()[i] <= 1.5F) highest = std::max(highest, over.values()[i]);
     }
-    lead_over(over, outside, between);
+    // Land goes on as high as the edge beside it, until it has to fall to the sea before the tile's
+    // end; bays lie where rivers do.
+    Grid standing = heights;
+    for (double& height : standing.values()) height = std::max(height - sea, 0.0);
+    standing = mean_of_edge(standing, within);
+    const double least = least_land * highest;
+    const Grid ridges = broad(tile.heights);
+    const double fall = wanted.gradient * std::min(dx, dy);
+    for (int y = 0; y < ny_; ++y) {
+        for (int x = 0; x < nx_; ++x) {
+            const int from_end = std::min({x, nx_ - 1 - x, y, ny_ - 1 - y});
+            if (from_end < known_at_end) cells(x, y) = LandCell::known;
+            if (between(x, y) != 0 || inside(x, y) != 0) continue;
+            const double low = 1.0 - std::min(0.5 * ridges(x, y) / std::max(hills, 1e-9), 1.0);
+            const double before_end = std::max(from_end - known_at_end - bays * margin * low, 0.0);
+            const double land = std::max(standing(x, y) - least, 0.0);
+            const double from_floor = land > 0.0 ? (sea - level_) * land / (land + least) : 0.0;
+            over(x, y) = std::min(land + from_floor, fall * before_end);
+        }
+    }
+    lead_over(over, between);
     const Field<float>& away = surroundings_->away;
+    // Hills lie about the edge's height and begin as gently as they are: else they would stand
+    // along it as a wall.
+    const double begins = std::max(coast_begins_within, 2.0 * hills / fall);
     own_ = heights;
     for (std::size_t i = 0; i < own_.size(); ++i) {
         if (inside.values()[i] != 0) continue;
         const double stands = level_ + over.values()[i] - sea;
-        const double begun =
-            smooth_step(0.0, coast_begins_within, static_cast<double>(away.values()[i]));
+        const double begun = smooth_step(0.0, begins, static_cast<double>(away.values()[i]));
         const double inland = smooth_step(0.0, std::max(hills, 1e-9), stands);
-        own_.values()[i] = level_ + over.values()[i] + begun * inland * tile.heights.values()[i];
+        own_.values()[i] =
+            level_ + over.values()[i] + begun * inland * (tile.heights.values()[i] - hills);
     }
-    const double way = clear_share * std::min(west_, south_) * std::min(dx, dy);
+    const double way = clear_share * margin * std::min(dx, dy);
     drain_between(own_, cells, dx, dy, least_fall,
                   std::max(steepest_share * slopes.hillslope(), highest / way));
     level_ = sea - deep;
@@ -183,7 +210,7 @@ void SurroundingPlain::make_coast(const Snapshot& first, const Mask& outside, do
     downstream_ = route_flow(own_, {}, dx, dy).receiver;
 }
 
-void SurroundingPlain::lead_over(Grid& tile, const Mask& outside, const Mask& between) const {
+void SurroundingPlain::lead_over(Grid& tile, const Mask& between) const {
     const int nx = std::max(nx_ / coarse_cell, 4);
     const int ny = std::max(ny_ / coarse_cell, 4);
     struct Means {
@@ -200,7 +227,7 @@ void SurroundingPlain::lead_over(Grid& tile, const Mask& outside, const Mask& be
                 ++means[at].between;
             } else {
                 ++means[at].known;
-                means[at].sum += outside(x, y) == 0 ? tile(x, y) : 0.0;
+                means[at].sum += tile(x, y);
             }
         }
     }
@@ -227,7 +254,7 @@ void SurroundingPlain::lead_over(Grid& tile, const Mask& outside, const Mask& be
     }
     led = broad(led);
     for (std::size_t i = 0; i < tile.size(); ++i) tile.values()[i] -= led.values()[i];
-    surroundings_->between.fill(tile);
+    fill_in_tension(tile, between);
     for (std::size_t i = 0; i < tile.size(); ++i) tile.values()[i] += led.values()[i];
 }
 

@@ -191,9 +191,13 @@ Grid SurroundingPlain::in_tile(const Grid& field) const {
 
 /// Cells of the tile that are neither of the bed nor so far from it that the plain is all there is.
 Mask SurroundingPlain::between_bed_and_plain(const Mask& outside) const {
-    const auto far = [](int cell, int count, int margin) {
+    return within_of_bed(outside, plain_from);
+}
+
+Mask SurroundingPlain::within_of_bed(const Mask& outside, double share) const {
+    const auto far = [share](int cell, int count, int margin) {
         const int from_edge = std::min(cell, count - 1 - cell);
-        return from_edge < (1.0 - plain_from) * margin;
+        return from_edge < (1.0 - share) * margin;
     };
     Mask between = outside;
     for (int y = 0; y < ny_; ++y)
@@ -218,6 +222,14 @@ void SurroundingPlain::find_level(const Grid& heights, const Mask& outside,
 Grid SurroundingPlain::broad(const Grid& tile) const {
     constexpr int radius = 8;  // cells
     return smoothed(tile, Grid(nx_, ny_, 1.0), radius);
+}
+
+Grid SurroundingPlain::mean_of_edge(const Grid& field, const Field<float>& depth) const {
+    Grid edge(nx_, ny_);
+    for (std::size_t i = 0; i < edge.size(); ++i)
+        if (depth.values()[i] > 0.0F && depth.values()[i] <= 2.0F) edge.values()[i] = 1.0;
+    const int reach = std::max(west_, south_);
+    return smoothed(field, edge, reach);
 }
 
 void SurroundingPlain::make_relief(const Grid& heights, const Mask& outside,

@@ -34,8 +34,9 @@ bool is_bounded(const Snapshot& snapshot);
 /// leads valleys out from where the bed's water leaves. It is made of the first bed, so that a film
 /// shows one land; what changes at a bed's edge later goes on over it as a thin plate. Water
 /// that leaves the bed runs on along the valleys' beds; other ground is as damp as the edge is.
-/// Where the bed's edge lies in the sea (sea_level()), land ends in that sea all around, which goes
-/// on to the horizon: under water as deep as at the edge, on a dry bed as level ground.
+/// Where the bed's edge lies in the sea (sea_level()), land goes on as high as the edge beside it
+/// and falls at the bed's mean gradient to that sea before the tile's end; the sea goes on to the
+/// horizon: under water as deep as at the edge, on a dry bed as level ground.
 class SurroundingPlain {
   public:
     /// Of a bed, as it is shown.
@@ -80,6 +81,10 @@ class SurroundingPlain {
     [[nodiscard]] Mask outside_of(const Mask& nodata) const;
     [[nodiscard]] Grid in_tile(const Grid& field) const;
     [[nodiscard]] Mask between_bed_and_plain(const Mask& outside) const;
+    /// Cells outside that lie within a share of the margin of the bed's sides.
+    [[nodiscard]] Mask within_of_bed(const Mask& outside, double share) const;
+    /// Of a field, by place: the mean of the bed's edge near by.
+    [[nodiscard]] Grid mean_of_edge(const Grid& field, const Field<float>& depth) const;
     [[nodiscard]] Grid continued(const Grid& field, const Surroundings& all) const;
     void find_level(const Grid& heights, const Mask& outside, const Field<float>& depth);
     void make_relief(const Grid& heights, const Mask& outside, const Field<float>& depth,
@@ -89,7 +94,7 @@ class SurroundingPlain {
     void make_coast(const Snapshot& first, const Mask& outside, double sea);
     /// Fills in what is `between` in steps, so that slopes go on over some ten cells: the plate in
     /// tension gives them up within two of its own.
-    void lead_over(Grid& tile, const Mask& outside, const Mask& between) const;
+    void lead_over(Grid& tile, const Mask& between) const;
     /// Without features of a few cells.
     [[nodiscard]] Grid broad(const Grid& tile) const;
     void add_water(const Snapshot& snapshot, const Surroundings& all, Snapshot& maps) const;

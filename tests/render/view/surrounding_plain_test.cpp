@@ -318,6 +318,36 @@ TEST(SurroundingLand, EndsInTheSeaThatTheSurveyEndsIn) {
     }
 }
 
+/// Upland 40 m high that falls eastward to a flat sea, uneven from cell to cell, on cells of 20 m.
+Snapshot rough_upland_by_the_sea() {
+    Snapshot land = valley();
+    land.scale.dx = land.scale.dy = 20.0;
+    land.bed = Grid(120, 80);
+    for (int y = 0; y < 80; ++y) {
+        for (int x = 0; x < 120; ++x) {
+            const double uneven = std::sin(12.9898 * x + 78.233 * y) * 43758.5453;
+            const double by_chance = 2.0 * (uneven - std::floor(uneven)) - 1.0;
+            const double ground = std::min(4.0 * (70.0 - x), 40.0) + 5.0 * by_chance;
+            land.bed(x, y) = std::max(ground, 0.0);
+        }
+    }
+    return land;
+}
+
+TEST(SurroundingLand, GoesOnInlandOfACoastAsHighAsItsEdge) {
+    const PlainMaps in(rough_upland_by_the_sea());
+    const auto mean_west = [&](int away) {
+        double mean = 0.0;
+        for (int y = in.south; y < in.south + 80; ++y)
+            mean += in.maps.bed(in.west - away, y) / 80.0;
+        return mean;
+    };
+    const double edge = mean_west(0);
+    for (int away = 1; away <= 8; ++away) EXPECT_NEAR(mean_west(away), edge, 0.15 * edge) << away;
+    EXPECT_GT(mean_west(in.west / 2), 0.6 * edge);
+    for (int y = 0; y < in.ny; ++y) ASSERT_EQ(in.maps.bed(0, y), 0.0) << "the sea behind it";
+}
+
 TEST(SurroundingLand, HasWaterOfOneLevelInTheSea) {
     const PlainMaps in(coast(8.0));
     const Grid* depth = field_of(in.maps.fields, "water_depth");
