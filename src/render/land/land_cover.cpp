@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/elementary.h"
+#include "base/find_named.h"
 #include "measure/network/flow_routing.h"
 #include "numerics/smooth_step.h"
 
@@ -24,6 +25,8 @@ constexpr double wet_share = 0.97;         // wetter than which likewise
 constexpr double snow_band_share = 0.06;   // of the relief, over which snow sets in
 constexpr double shady_snow_share = 0.10;  // of the relief, by which it lies lower in shade
 constexpr double full_shade_slope = 0.4;
+constexpr double grows_to = 0.1;  // m of water, under which plants grow
+constexpr double bare_from = 0.3;
 
 /// The value that a share of others falls below.
 double value_at(std::vector<double> values, double share) {
@@ -128,6 +131,11 @@ Field<CellCover> land_cover(const Snapshot& snapshot, std::optional<double> snow
     const double dry = value_at(wetnesses, dry_share);
     const double wet = std::max(value_at(wetnesses, wet_share), dry + 1e-6);
     const double relief = std::max(high - low, 1e-6);
+    const SnapshotField* water = find_named(snapshot.fields, "water_depth");
+    const auto above_water = [&](std::size_t i) {
+        if (water == nullptr) return 1.0;
+        return 1.0 - smooth_step(grows_to, bare_from, water->values.values()[i]);
+    };
     Field<CellCover> cover(nx, ny);
     for (std::size_t i = 0; i < cover.size(); ++i) {
         if (!is_land(i)) continue;
@@ -135,14 +143,16 @@ Field<CellCover> land_cover(const Snapshot& snapshot, std::optional<double> snow
         const double north = shade.values()[i];
         const double damp = std::clamp((wetness.values()[i] - dry) / (wet - dry), 0.0, 1.0);
         CellCover& cell = cover.values()[i];
-        cell.rock = byte_of(smooth_step(0.8 * rock_from, 1.3 * rock_from, s));
+        const double uncovered = above_water(i);
+        cell.rock = byte_of(uncovered * smooth_step(0.8 * rock_from, 1.3 * rock_from, s));
         cell.green = byte_of(0.15 + 0.75 * damp + 0.35 * north);
-        cell.grass = byte_of((0.45 + 0.6 * damp + 0.30 * north) *
+        cell.grass = byte_of(uncovered * (0.45 + 0.6 * damp + 0.30 * north) *
                              (1.0 - smooth_step(0.7 * rock_from, 1.2 * rock_from, s)));
         if (!snow_line) continue;
         const double above = ground.values()[i] - *snow_line + shady_snow_share * relief * north;
         const double band = snow_band_share * relief;
-        cell.snow = byte_of(smooth_step(-band, band, above) * (1.0 - smooth_step(0.8, 1.4, s)));
+        cell.snow =
+            byte_of(uncovered * smooth_step(-band, band, above) * (1.0 - smooth_step(0.8, 1.4, s)));
     }
     return cover;
 }

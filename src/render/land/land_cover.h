@@ -24,7 +24,7 @@ struct CellCover {
 /// topographic wetness index ln(a / tan β) is high (Beven & Kirkby 1979) and where slopes face
 /// north, and dries up on those that face south. Snow lies above `snow_line`, in the heights of the
 /// bed, metres, lower on slopes that face north, and slides off steep ground. Nothing outside the
-/// bed.
+/// bed, and under water of decimetres.
 Field<CellCover> land_cover(const Snapshot& snapshot, std::optional<double> snow_line);
 
 }  // namespace fumon

@@ -59,5 +59,18 @@ TEST(LandCover, IsNothingWhereThereIsNoLand) {
     EXPECT_EQ(cover(6, 20).rock, 0) << "no wall beside what is missing";
 }
 
+TEST(LandCover, GrowsUnderShallowWaterAlone) {
+    Snapshot bed = tent(0.2);
+    bed.fields = {{"water_depth", "", "m", Grid(land_side, land_side)}};
+    bed.fields[0].values(10, 45) = 0.05;
+    bed.fields[0].values(11, 45) = 2.0;
+    const Field<CellCover> dry = land_cover(tent(0.2), std::nullopt);
+    const Field<CellCover> cover = land_cover(bed, 400.0);
+    EXPECT_EQ(cover(10, 45).grass, dry(10, 45).grass);
+    EXPECT_EQ(cover(11, 45).grass, 0);
+    EXPECT_EQ(cover(11, 45).snow, 0);
+    EXPECT_GT(cover(12, 45).snow, 0);
+}
+
 }  // namespace
 }  // namespace fumon
