@@ -253,19 +253,19 @@ PersonFigure person_figure(std::size_t number) {
     const std::array<glm::vec3, 3> hairs{
         {{0.022F, 0.018F, 0.015F}, {0.070F, 0.042F, 0.024F}, {0.21F, 0.15F, 0.085F}}};
     RandomStream stream(number, 0, 0, Purpose::persons);
-    const auto between = [&](double low, double high) {
+    const auto uniform_in = [&](double low, double high) {
         return low + (high - low) * stream.uniform();
     };
     const auto one_of = [&](const auto& choices) {
         return choices.at(stream.below(static_cast<std::uint32_t>(choices.size())));
     };
-    figure.height = 0.5 * (between(1.58, 1.90) + between(1.58, 1.90));
-    figure.girth = between(0.90, 1.16);
+    figure.height = 0.5 * (uniform_in(1.58, 1.90) + uniform_in(1.58, 1.90));
+    figure.girth = uniform_in(0.90, 1.16);
     const bool walks = stream.uniform() < 0.55;
-    figure.stride = walks ? between(0.09, 0.17) : between(0.0, 0.035);
+    figure.stride = walks ? uniform_in(0.09, 0.17) : uniform_in(0.0, 0.035);
     figure.leading = stream.uniform() < 0.5 ? -1.0 : 1.0;
-    figure.elbows = walks ? between(0.0, 0.4) : between(0.0, 1.0);
-    figure.head_turn = between(-40.0, 40.0);
+    figure.elbows = walks ? uniform_in(0.0, 0.4) : uniform_in(0.0, 1.0);
+    figure.head_turn = uniform_in(-40.0, 40.0);
     figure.pack = stream.uniform() < 0.5;
     figure.headwear = static_cast<Headwear>(stream.below(4));
     figure.trousers = one_of(trousers);
