@@ -108,6 +108,7 @@ std::vector<MeasurementPlot> series_plots(const std::vector<TimeSeries>& series,
                                           const ForeignTimes& times) {
     const bool has_unit = times.unit != "steps";
     std::vector<TableColumn> columns;
+    columns.reserve(series.size());
     for (const TimeSeries& one : series) columns.push_back({one.name, one.unit, one.values});
     return plots_of({has_unit ? "time" : "step", has_unit ? times.unit : "", times.times}, columns);
 }
