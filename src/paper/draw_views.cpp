@@ -30,6 +30,7 @@ void take_whole_range(LookSettings& look, const PanelSettings& panel, const Snap
         return;
     if (panel.low.word != "auto" && panel.high.word != "auto") return;
     std::vector<Field<float>> values;
+    values.reserve(snapshots.size());
     for (const Snapshot& snapshot : snapshots)
         values.push_back(coloured_values(look, snapshot, first));
     const auto [low, high] = joined_colour_range(look, snapshots, values, tails_of(panel));

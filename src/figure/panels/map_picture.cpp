@@ -199,6 +199,7 @@ const char* usual_palette(Colouring colour_by) {
 std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const Snapshot> snapshots,
                                      const Snapshot& first, const RangeTails& tails) {
     std::vector<Field<float>> coloured;
+    coloured.reserve(snapshots.size());
     for (const Snapshot& snapshot : snapshots)
         coloured.push_back(coloured_values(look, snapshot, first));
     const std::pair<double, double> range = joined_colour_range(look, snapshots, coloured, tails);

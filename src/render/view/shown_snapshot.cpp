@@ -230,10 +230,10 @@ const Snapshot& drawable(const Snapshot& snapshot) {
 
 std::optional<Snapshot> shown_snapshot(const Snapshot& snapshot, const View& view) {
     std::optional<Snapshot> shown = reshaped(snapshot, view);
-    if (view.look.sea_level.is_word()) return shown;
-    Snapshot coast = shown ? std::move(*shown) : snapshot;
-    if (add_sea(coast, view.look.sea_level.value)) return coast;
-    return shown ? std::optional(std::move(coast)) : std::nullopt;
+    if (view.look.sea_level.is_word() || snapshot.periodic) return shown;
+    if (!shown) shown = snapshot;
+    add_sea(*shown, view.look.sea_level.value);
+    return shown;
 }
 
 }  // namespace fumon
