@@ -106,7 +106,7 @@ Snapshot read_snapshot(const std::string& file, const std::string& heights,
     snapshot.bed = std::move(initial.bed);
     snapshot.nodata = std::move(initial.nodata);
     snapshot.scale = initial.scale;
-    snapshot.periodic = true;
+    snapshot.periodic = scene.view.look.sea_level.is_word();  // a sea comes over the bed's edge
     if (scene.bed.variable.empty()) add_record(file, snapshot);
     snapshot.landform = guessed_landform(snapshot);
     if (const std::string fault = beyond_ground(snapshot); !fault.empty())
