@@ -17,6 +17,7 @@
 #include "cli/command.h"
 #include "cli/commands.h"
 #include "cli/examples.h"
+#include "cli/remark.h"
 #include "cli/shared_options.h"
 #include "film/beds/film_runs.h"
 #include "film/cache/byte_size.h"
@@ -143,11 +144,23 @@ bool names_a_run(const std::string& argument) {
            std::ranges::find(of_grids, small_ending(argument)) != of_grids.end();
 }
 
+/// Of a run's folder that is called as a film that fumon ships: whether that film is meant, since
+/// the run is named before; else says how to name it.
+bool means_the_shipped_film(const std::vector<std::string>& runs) {
+    const std::string& last = runs.back();
+    if (film_file(last) == fs::path(last)) return false;
+    if (std::ranges::find(runs.begin(), runs.end() - 1, last) != runs.end() - 1) return true;
+    remark(fmt::format("{}: the run in that folder; {}.toml is the film that fumon ships", last,
+                       last));
+    return false;
+}
+
 /// CLI11 gives all of them to the runs; the last one is the film, unless it is a run itself.
 Arguments arguments_of(const FilmOptions& options) {
     Arguments arguments{options.runs, options.film};
     if (!arguments.film.empty() || arguments.runs.size() < 2) return arguments;
-    if (names_a_run(arguments.runs.back())) return arguments;
+    if (names_a_run(arguments.runs.back()) && !means_the_shipped_film(arguments.runs))
+        return arguments;
     arguments.film = arguments.runs.back();
     arguments.runs.pop_back();
     return arguments;

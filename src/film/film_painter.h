@@ -110,7 +110,14 @@ class FilmPainter : public FilmFrames {
     void keep_clear(double edge, const TitleFacts& facts);
     void stage_panes(const std::vector<Override>& looks);
     void fix_ranges(const std::set<Moment>& shown);
-    void note_jumps(const std::set<Moment>& shown);
+    /// Frames of a shot and the beds that they show, from the first to the last of the run.
+    struct Stretch {
+        double frames = 0.0;
+        std::size_t first = 0;
+        std::size_t last = 0;
+    };
+    [[nodiscard]] Stretch stillest(const FilmPart& part) const;
+    void note_jumps();
     void fix_colours(const std::set<Moment>& shown);
     void fix_contours(const std::set<Moment>& shown);
     void fix_plots(const std::set<Moment>& shown);

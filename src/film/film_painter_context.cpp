@@ -140,25 +140,41 @@ DrawingRecord FilmPainter::record() {
     return record;
 }
 
+/// Where the pace follows the change of the ground, beds may lie densely at one end of a shot and
+/// far apart at the other: there a second is looked at, elsewhere all of the shot that moves.
+FilmPainter::Stretch FilmPainter::stillest(const FilmPart& part) const {
+    const double frames =
+        film_.settings.frames_for_one * static_cast<double>(part.frames - part.held);
+    const double second = film_.settings.frames_for_one * film_.settings.rate;
+    const bool whole = film_.shots[part.number].pace != Pace::change || second >= frames;
+    const double length = whole ? frames : second;
+    Stretch stillest;
+    for (double from = 0.0; from + length <= frames; from += 1.0) {
+        const auto bed_at = [&](double frame) {
+            return shots_[part.number].place_at(std::min(frame / frames, 1.0)).bed;
+        };
+        const auto [first, last] = std::minmax({bed_at(from), bed_at(from + length)});
+        if (stillest.frames > 0.0 && last - first >= stillest.last - stillest.first) continue;
+        stillest = {length, first, last};
+    }
+    return stillest;
+}
+
 /// Tells of shots whose ground stands still for some frames and then jumps, and which interval of
 /// stored beds would change that. A draft is told what the whole film would show.
-void FilmPainter::note_jumps(const std::set<Moment>& shown) {
+void FilmPainter::note_jumps() {
     constexpr double few = 3.0;  // frames a bed
     if (film_.settings.between == RecordsBetween::blend) return;
     const std::vector<StoredBed>& beds = runs_.first().beds();
     for (const FilmPart& part : timeline_.parts()) {
         if (part.kind != FilmPart::Kind::shot) continue;
-        std::size_t first = beds.size();
-        std::size_t last = 0;
-        for (const Moment& moment : shown) {
-            if (moment.shot != part.number) continue;
-            first = std::min(first, moment.place.bed);
-            last = std::max(last, moment.place.bed);
-        }
-        const double frames =
-            film_.settings.frames_for_one * static_cast<double>(part.frames - part.held);
-        if (last <= first || frames <= few * static_cast<double>(last - first + 1)) continue;
-        const std::int64_t steps = beds[last].step - beds[first].step;
+        const auto [frames, first, last] = stillest(part);
+        const StagedShot& shot = shots_[part.number];
+        if (shot.place_at(0.0).bed == shot.place_at(1.0).bed) continue;
+        const std::size_t count = last - first + 1;
+        if (frames <= few * static_cast<double>(count)) continue;
+        const std::size_t next = std::min(std::max(last, first + 1), beds.size() - 1);
+        const std::int64_t steps = beds[next].step - beds[first].step;
         const auto fitting = static_cast<std::int64_t>(2.0 * static_cast<double>(steps) / frames);
         const std::string remedy = fitting >= 1
                                        ? fmt::format(
@@ -166,10 +182,14 @@ void FilmPainter::note_jumps(const std::set<Moment>& shown) {
                                              "output.fields_every={}",
                                              fitting)
                                        : "for a smoother film shorten the shot, or show more steps";
+        const double all =
+            film_.settings.frames_for_one * static_cast<double>(part.frames - part.held);
+        const std::string which = frames < all ? fmt::format("{:.0f} of its {:.0f}", frames, all)
+                                               : fmt::format("its {:.0f}", all);
         notes_.push_back(fmt::format(
-            "shot {}: its {:.0f} frames show {} stored beds, each as it is, so that the ground "
+            "shot {}: {} frames show {} stored bed{}, each as it is, so that the ground "
             "moves in jumps; {}",
-            part.number + 1, frames, last - first + 1, remedy));
+            part.number + 1, which, count, count == 1 ? "" : "s", remedy));
     }
 }
 

@@ -14,7 +14,7 @@ namespace fumon {
 
 /// What scenes take from each frame is taken from all beds that the film shows.
 void FilmPainter::fix_ranges(const std::set<Moment>& shown) {
-    note_jumps(shown);
+    note_jumps();
     fix_colours(shown);
     fix_contours(shown);
     fix_plots(shown);

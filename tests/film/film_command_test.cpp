@@ -247,6 +247,14 @@ TEST_F(FilmCommandTest, ADraftSaysWhatTheWholeFilmWouldShowAndWhichEndingItTakes
         << drafted.errors;
     const Ended smooth = film({"-o", "f.mp4", "--draft", "--set", "film.rate=16"});
     EXPECT_EQ(smooth.errors.find("in jumps"), std::string::npos) << smooth.errors;
+    const std::vector<std::string> thirty{"-o",           "f.mp4", "--draft",         "--set",
+                                          "film.rate=10", "--set", "shot.0.seconds=3"};
+    EXPECT_EQ(film(thirty).errors.find("in jumps"), std::string::npos);
+    std::vector<std::string> uneven = thirty;
+    uneven.insert(uneven.end(), {"--set", "shot.0.pace=change"});
+    const Ended change = film(uneven);
+    EXPECT_NE(change.errors.find("10 of its 30 frames show 3 stored beds"), std::string::npos)
+        << change.errors;
     ASSERT_EQ(run({"output.fields_every=5"}).status, 0);
     const Ended sparse = film({"-o", "f.mp4", "--set", "film.rate=16"});
     EXPECT_NE(sparse.errors.find("its 16 frames show 5 stored beds, each as it is, so that the "
@@ -306,6 +314,19 @@ int fragments_of(const fs::path& movie) {
          at = bytes.find("moof", at + 1))
         ++fragments;
     return fragments;
+}
+
+TEST_F(FilmCommandTest, ARunCalledAsAShippedFilmIsNotTakenForItself) {
+    fs::copy(folder_ / "out", folder_ / "barchans", fs::copy_options::recursive);
+    const Ended film = fumon({"film", "barchans", "barchans", "--print"}, folder_.path());
+    EXPECT_NE(film.errors.find("barchans: --print, --style and --seconds are for a film by rule"),
+              std::string::npos)
+        << film.errors;
+    const Ended two = fumon({"film", "out", "barchans", "--print"}, folder_.path());
+    EXPECT_EQ(two.status, 0) << two.errors;
+    EXPECT_NE(two.errors.find("barchans: the run in that folder; barchans.toml is the film"),
+              std::string::npos)
+        << two.errors;
 }
 
 TEST_F(FilmCommandTest, OneThatIsKilledLeavesNoHalfFile) {
