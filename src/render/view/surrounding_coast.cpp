@@ -48,7 +48,6 @@ double steepest_free(const Grid& heights, const Field<LandCell>& cells, double d
 
 CoastEdge SurroundingPlain::coast_edge(Mask sea, const Mask& outside,
                                        const Field<float>& within) const {
-    constexpr int known_at_end = 3;  // cells of the tile
     CoastEdge edge{std::move(sea), Mask(nx_, ny_), static_cast<double>(std::min(west_, south_)),
                    Field<int>(nx_, ny_)};
     for (int y = 0; y < ny_; ++y) {
@@ -134,7 +133,7 @@ bool SurroundingPlain::make_coast(const Snapshot& first, const Mask& outside, do
         }
         if (stands <= 0.0) cells.values()[i] = LandCell::outlet;
     }
-    // No steeper than the land is elsewhere, but for valleys that would cut its slopes.
+    // No gentler than land is elsewhere: valleys' sides would cut its slopes.
     const double steepest =
         std::max(coast_steepest_share * slopes.hillslope(), steepest_free(own_, cells, dx, dy));
     drain_by_valleys(own_, cells, dx, dy, coast_least_fall_share * fall, steepest);
@@ -155,6 +154,7 @@ void SurroundingPlain::lay_lake(const Mask& outside, double fall, Field<LandCell
     CoastEdge edge = coast_edge(lake_->edge, outside, distances_to(outside));
     std::swap(edge.sea, edge.land);  // the lake ends as land by a sea does
     const Grid inside = inland_distances(edge);
+    const Grid ridges = broad(relief_);
     double deep = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < own_.size(); ++i) {
@@ -167,12 +167,14 @@ void SurroundingPlain::lay_lake(const Mask& outside, double fall, Field<LandCell
     lake_cells_ = Mask(nx_, ny_);
     for (std::size_t i = 0; i < own_.size(); ++i) {
         if (outside.values()[i] == 0) continue;
-        const double at = inside.values()[i];
+        const double begun =
+            smooth_step(0.0, lake_begins_within, static_cast<double>(away.values()[i]));
+        const double at = inside.values()[i] - begun * shore_relief_share *
+                                                   (relief_.values()[i] - ridges.values()[i]) /
+                                                   fall;
         double& height = own_.values()[i];
         if (at > 0.0) {
             const double floor = lake_->level - eased_rise(at, fall, deep);
-            const double begun =
-                smooth_step(0.0, lake_begins_within, static_cast<double>(away.values()[i]));
             height = std::min(std::lerp(height, floor, begun),
                               lake_->level - eased_rise(at, 0.1 * fall, deep));
             cells.values()[i] = LandCell::outlet;

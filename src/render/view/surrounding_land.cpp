@@ -225,6 +225,18 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, const Surroundings& a
             speed.values()[at] = fast;
         }
     }
+    // A lake that falls within the bed does so beyond it.
+    double lake = 0.0;
+    if (lake_) {
+        const Grid heights = in_tile(snapshot.bed);
+        std::size_t cells = 0;
+        for (std::size_t i = 0; i < heights.size(); ++i) {
+            if (lake_->edge.values()[i] == 0) continue;
+            lake += heights.values()[i] + depth.values()[i] / snapshot.scale.height_unit;
+            ++cells;
+        }
+        lake = std::min(lake / static_cast<double>(cells), lake_->level);
+    }
     if (edge > 0) damp /= static_cast<double>(edge);
     const double film = closed * damp * damp;
     const auto set = [&](const char* name, double far, const auto& value) {
@@ -247,8 +259,7 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, const Surroundings& a
     set("water_depth", far_depth, [&](int x, int y, double continued) {
         const double sea = sea_ ? (*sea_ - maps.bed(x, y)) * unit : 0.0;
         if (sea > film) return sea;
-        if (lake_ && lake_cells_(x, y) != 0)
-            return std::max((lake_->level - maps.bed(x, y)) * unit, film);
+        if (lake_ && lake_cells_(x, y) != 0) return std::max((lake - maps.bed(x, y)) * unit, film);
         const double beside =
             sea_ || lake_ ? film : std::max(continued, 0.0);  // still water wets no land
         return std::max(stream(x, y), std::lerp(film, beside, share(x, y)));
