@@ -71,15 +71,17 @@ Grid noise_of_waves(int nx, int ny, double longest, std::uint32_t which) {
     const double scale = power > 0.0 ? 1.0 / std::sqrt(power) : 0.0;
     const double along_x = turn * std::max(std::round(nx / (bay_share * longest)), 1.0) / nx;
     const double along_y = turn * std::max(std::round(ny / (bay_share * longest)), 1.0) / ny;
+    std::vector<double>& bends = sines;
+    for (int x = 0; x < nx; ++x)
+        bends[static_cast<std::size_t>(x)] = bend * elementary::sin(turn * 3.0 * x / nx);
     for (int y = 0; y < ny; ++y) {
         const double aside = bend * elementary::sin(turn * 3.0 * y / ny + 0.7);
         for (int x = 0; x < nx; ++x) {
             const double share = scale * noise(x, y);
-            noise(x, y) =
-                by_chance * share / std::sqrt(1.0 + share * share) +
-                0.5 * (1.0 - by_chance) *
-                    (elementary::sin(along_x * x + aside) +
-                     elementary::sin(along_y * y + bend * elementary::sin(turn * 3.0 * x / nx)));
+            noise(x, y) = by_chance * share / std::sqrt(1.0 + share * share) +
+                          0.5 * (1.0 - by_chance) *
+                              (elementary::sin(along_x * x + aside) +
+                               elementary::sin(along_y * y + bends[static_cast<std::size_t>(x)]));
         }
     }
     return noise;
