@@ -43,7 +43,7 @@ int chosen_refinement(const View& view, const Snapshot& first, const Snapshot& g
 std::optional<SurroundingPlain> plain_of(const View& view, const Snapshot& first,
                                          WorkerPool& pool) {
     if (view.look.ground != Ground::endless || !is_bounded(first)) return std::nullopt;
-    return SurroundingPlain(first, pool);
+    return SurroundingPlain(first, pool, known_sea(view, first));
 }
 
 TilePlan plan_of(const View& view, const RenderLimits& limits) {

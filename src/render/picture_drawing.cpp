@@ -4,6 +4,7 @@
 
 #include "gl/functions.h"
 #include "render/frame/view_uniforms.h"
+#include "render/view/ground_choice.h"
 #include "render/view/shown_snapshot.h"
 
 namespace fumon {
@@ -19,10 +20,10 @@ PictureDrawing::PictureDrawing(RendererState& state, const ReadyPicture& picture
         reference_ = FrameSetting::shown_first(drawable(*picture.pose.reference), s.view);
     if (reference_ && s.plain) {
         const std::string& coloured = s.view.look.field;
-        reference_ =
-            s.plain->is_drained()
-                ? s.plain->around(*reference_, s.pool, coloured)
-                : SurroundingPlain(*reference_, s.pool).around(*reference_, s.pool, coloured);
+        reference_ = s.plain->is_drained()
+                         ? s.plain->around(*reference_, s.pool, coloured)
+                         : SurroundingPlain(*reference_, s.pool, known_sea(s.view, *reference_))
+                               .around(*reference_, s.pool, coloured);
     }
     const bool held = s.uploaded == picture.lit && !reference_;
     fresh_ = !held || !s.world;

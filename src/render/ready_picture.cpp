@@ -10,6 +10,7 @@
 #include "render/light/sky_visibility.h"
 #include "render/renderer_state.h"
 #include "render/view/framing.h"
+#include "render/view/ground_choice.h"
 #include "render/view/shown_snapshot.h"
 #include "render/view/visible_sun.h"
 
@@ -39,7 +40,8 @@ std::shared_ptr<const LitBed> RendererState::lit_bed(const ReadyPicture& picture
             const std::string& coloured = view.look.field;
             lit->in_plain = plain->is_drained()
                                 ? plain->around(shown, with, coloured)
-                                : SurroundingPlain(shown, with).around(shown, with, coloured);
+                                : SurroundingPlain(shown, with, known_sea(view, shown))
+                                      .around(shown, with, coloured);
         }
         if (plain && water) {
             lit->water_tile = plain->own_tile(*lit->in_plain);

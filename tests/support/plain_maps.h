@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/snapshot.h"
 #include "base/worker_pool.h"
@@ -14,8 +15,8 @@ inline constexpr int bed_ny = 40;
 
 /// The maps of a bed in its plain, with what is known of where it lies.
 struct PlainMaps {
-    explicit PlainMaps(const Snapshot& bed, int workers = 1)
-        : pool(workers), plain(bed, pool), maps(plain.around(bed, pool)) {
+    explicit PlainMaps(const Snapshot& bed, int workers = 1, std::optional<double> sea = {})
+        : pool(workers), plain(bed, pool, sea), maps(plain.around(bed, pool)) {
         nx = maps.bed.nx() / 2;
         ny = maps.bed.ny();
         west = (nx - bed.bed.nx()) / 2;

@@ -231,11 +231,17 @@ void drain(Grid& heights, const Field<LandCell>& cells, double dx, double dy, do
 
 void drain_between(Grid& heights, const Field<LandCell>& cells, double dx, double dy,
                    double least_fall, double steepest) {
-    Mask still = staying(cells);
+    const Mask still = staying(cells);
     const Grid lowest = falling_from(heights, rims(cells), dx, dy, steepest);
     for (std::size_t i = 0; i < heights.size(); ++i)
         if (still.values()[i] == 0)
             heights.values()[i] = std::max(heights.values()[i], lowest.values()[i]);
+    drain_by_valleys(heights, cells, dx, dy, least_fall, steepest);
+}
+
+void drain_by_valleys(Grid& heights, const Field<LandCell>& cells, double dx, double dy,
+                      double least_fall, double steepest) {
+    Mask still = staying(cells);
     const Mask carved = carve(heights, cells, routing_over(heights, cells, dx, dy), least_fall);
     Grid floors = heights;
     for (double& height : floors.values()) height = -height;

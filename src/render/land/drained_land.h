@@ -21,9 +21,13 @@ enum class LandCell : std::uint8_t {
 /// to the next.
 void drain(Grid& heights, const Field<LandCell>& cells, double dx, double dy, double least_fall);
 
-/// The same for land that leads from heights that stay to others. Free land falls from the rims of
-/// these no more steeply than `steepest`, and the sides of valleys that are carved are no steeper
-/// than that, so that these are as wide as valleys are.
+/// The same with valleys that are as wide as valleys are: their sides are no steeper than
+/// `steepest`.
+void drain_by_valleys(Grid& heights, const Field<LandCell>& cells, double dx, double dy,
+                      double least_fall, double steepest);
+
+/// The same for land that leads from heights that stay to others: free land falls from the rims of
+/// these no more steeply than `steepest` either.
 void drain_between(Grid& heights, const Field<LandCell>& cells, double dx, double dy,
                    double least_fall, double steepest);
 

@@ -10,10 +10,10 @@
 #include "render/bed/bed_shading.h"
 #include "render/frame/ground_transform.h"
 #include "render/frame/tile_samples.h"
+#include "render/life/footprints.h"
 #include "render/light/light.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
-#include "render/view/footprints.h"
 #include "render/world/world_layer.h"
 #include "scene/scene.h"
 

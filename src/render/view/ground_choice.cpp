@@ -57,6 +57,11 @@ void check_sea(const View& view, const Snapshot& first) {
     if (!first.scale.in_metres) refuse("is a height in metres, and this bed has none");
 }
 
+std::optional<double> known_sea(const View& view, const Snapshot& first) {
+    if (view.look.sea_level.is_word()) return std::nullopt;
+    return view.look.sea_level.value / first.scale.height_unit;
+}
+
 View with_chosen_ground(View view, const Snapshot& first) {
     check_background(view, first);
     check_cover(view, first);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "base/snapshot.h"
 #include "scene/scene.h"
 
@@ -21,6 +23,9 @@ void check_cover(const View& view, const Snapshot& first);
 
 /// Throws KeyError where a sea is asked for and the bed has no edge, one row or no metres.
 void check_sea(const View& view, const Snapshot& first);
+
+/// The level of a sea that is asked for, in the heights of the bed.
+std::optional<double> known_sea(const View& view, const Snapshot& first);
 
 /// The view with look.ground chosen: where it is "auto", endless for what can be. Throws InputError
 /// where it is endless for what cannot be, and as the checks above.

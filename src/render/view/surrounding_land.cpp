@@ -27,11 +27,6 @@ constexpr double clear_share = 0.8;        // of the margin: between the bed and
 constexpr int coarse_cell = 8;             // cells: over which slopes at the bed's edge are led on
 constexpr double begins_within = 10.0;     // cells from the bed
 constexpr double ends_within = 4.0;        // cells: water that no valley takes
-constexpr double coast_begins_within = 6.0;
-constexpr double coast_ends_within = 0.5;  // of the margin: the edge's slopes
-constexpr int known_at_end = 3;            // cells of the tile
-constexpr double bays = 0.25;              // of the margin
-constexpr double least_land = 0.05;        // of the highest edge: what leads from land far along it
 constexpr double least_stream = 3.0;       // of closed_depth: of streams and lakes
 constexpr double rim_share = 0.125;        // of the bed's shorter side
 constexpr double gentler_rim = 0.85;  // of the bed's mean gradient: land around it is gentler, too
@@ -49,7 +44,8 @@ double rim_gradient(const Grid& heights, const Field<float>& depth, double cells
 
 }  // namespace
 
-void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
+void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside,
+                                 std::optional<double> known_sea) {
     const double dx = first.scale.dx;
     const double dy = first.scale.dy;
     LandRelief relief = relief_of(first.bed, first.nodata, dx, dy);
@@ -62,12 +58,14 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
         for (std::size_t i = 0; i < surface.size(); ++i)
             surface.values()[i] += water.values()[i] / first.scale.height_unit;
     }
-    sea_ = sea_level(surface, depth,
-                     has_water(first) ? closed_depth(first.scale) / first.scale.height_unit : 0.0);
-    if (sea_) {
-        make_coast(first, outside, *sea_);
-        return;
+    const double closed =
+        has_water(first) ? closed_depth(first.scale) / first.scale.height_unit : 0.0;
+    for (const std::optional<double>& sea : {known_sea, sea_level(surface, depth, closed)}) {
+        sea_ = sea;
+        if (sea_ && make_coast(first, outside, *sea_)) return;
     }
+    sea_.reset();
+    lake_ = lake_of(first, surface, depth);
     // A lone mountain's foot goes on as a foot does.
     const double rim = rim_gradient(heights, depth, rim_share * std::min(bed_nx_, bed_ny_), dx, dy);
     if (rim > 0.0) relief.gradient = std::min(relief.gradient, rim / gentler_rim);
@@ -83,7 +81,8 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
     for (std::size_t i = 0; i < outside.size(); ++i) {
         if (outside.values()[i] == 0) {
             if (depth.values()[i] > 1.5F) continue;
-            lowest = std::min(lowest, heights.values()[i]);
+            const bool in_lake = lake_ && lake_->edge.values()[i] != 0;
+            lowest = std::min(lowest, in_lake ? lake_->level : heights.values()[i]);
             highest = std::max(highest, heights.values()[i]);
         } else if (between.values()[i] == 0) {
             frame.push_back(tile.heights.values()[i]);
@@ -122,6 +121,7 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
         own_.values()[i] = outside.values()[i] == 0
                                ? heights.values()[i]
                                : level_ + under.values()[i] + missing.values()[i];
+    if (lake_) lay_lake(outside, gradient * std::min(dx, dy), cells);
     // From the highest rim down to the plain on the way there is.
     const double way = clear_share * margin * std::min(dx, dy);
     const double needed = (highest - level_ - *std::ranges::min_element(frame)) / way;
@@ -130,84 +130,18 @@ void SurroundingPlain::make_land(const Snapshot& first, const Mask& outside) {
     downstream_ = route_flow(own_, {}, dx, dy).receiver;
 }
 
-/// Land goes on beyond the edge with ridges and valleys, and falls to the sea before the tile ends.
-void SurroundingPlain::make_coast(const Snapshot& first, const Mask& outside, double sea) {
-    const double dx = first.scale.dx;
-    const double dy = first.scale.dy;
-    const LandRelief wanted = relief_of(first.bed, first.nodata, dx, dy);
-    const SlopeByArea slopes(first.bed, first.nodata, dx, dy);
-    const int margin = std::min(west_, south_);
-    const DrainedTile tile = drained_tile(relief_, slopes, wanted, dx, dy, wander_share * margin);
-    const Mask between = within_of_bed(outside, coast_ends_within);
-    const Grid heights = in_tile(first.bed);
-    const Field<float> within = distances_to(outside);
-    Mask inside(nx_, ny_);
-    double deep = 0.0;
-    std::size_t edge = 0;
-    for (std::size_t i = 0; i < inside.size(); ++i) {
-        inside.values()[i] = outside.values()[i] == 0 ? 1 : 0;
-        if (inside.values()[i] == 0 || within.values()[i] > 1.5F || heights.values()[i] > sea)
-            continue;
-        deep += sea - heights.values()[i];
-        ++edge;
-    }
-    if (edge > 0) deep /= static_cast<double>(edge);
-    const double least_fall = least_fall_share * wanted.gradient * std::min(dx, dy);
-    level_ = sea - deep - 4.0 * least_fall * (nx_ + ny_);
-
-    Field<LandCell> cells(nx_, ny_, LandCell::free);
-    Grid over(nx_, ny_);  // level_
-    double highest = 0.0;
-    double hills = 0.0;
-    for (std::size_t i = 0; i < over.size(); ++i) {
-        hills += tile.heights.values()[i] / static_cast<double>(over.size());
-        if (inside.values()[i] == 0) continue;
-        cells.values()[i] = LandCell::known;
-        over.values()[i] = heights.values()[i] - level_;
-        if (within.values()[i] <= 1.5F) highest = std::max(highest, over.values()[i]);
-    }
-    // Land goes on as high as the edge beside it, until it has to fall to the sea before the tile's
-    // end; bays lie where rivers do.
-    Grid standing = heights;
-    for (double& height : standing.values()) height = std::max(height - sea, 0.0);
-    standing = mean_of_edge(standing, within);
-    const double least = least_land * highest;
-    const Grid ridges = broad(tile.heights);
-    const double fall = wanted.gradient * std::min(dx, dy);
-    for (int y = 0; y < ny_; ++y) {
-        for (int x = 0; x < nx_; ++x) {
-            const int from_end = std::min({x, nx_ - 1 - x, y, ny_ - 1 - y});
-            if (from_end < known_at_end) cells(x, y) = LandCell::known;
-            if (between(x, y) != 0 || inside(x, y) != 0) continue;
-            const double low = 1.0 - std::min(0.5 * ridges(x, y) / std::max(hills, 1e-9), 1.0);
-            const double before_end = std::max(from_end - known_at_end - bays * margin * low, 0.0);
-            const double land = std::max(standing(x, y) - least, 0.0);
-            const double from_floor = land > 0.0 ? (sea - level_) * land / (land + least) : 0.0;
-            over(x, y) = std::min(land + from_floor, fall * before_end);
-        }
-    }
-    lead_over(over, between);
-    const Field<float>& away = surroundings_->away;
-    // Hills lie about the edge's height and begin as gently as they are: else they would stand
-    // along it as a wall.
-    const double begins = std::max(coast_begins_within, 2.0 * hills / fall);
-    own_ = heights;
-    for (std::size_t i = 0; i < own_.size(); ++i) {
-        if (inside.values()[i] != 0) continue;
-        const double stands = level_ + over.values()[i] - sea;
-        const double begun = smooth_step(0.0, begins, static_cast<double>(away.values()[i]));
-        const double inland = smooth_step(0.0, std::max(hills, 1e-9), stands);
-        own_.values()[i] =
-            level_ + over.values()[i] + begun * inland * (tile.heights.values()[i] - hills);
-    }
-    const double way = clear_share * margin * std::min(dx, dy);
-    drain_between(own_, cells, dx, dy, least_fall,
-                  std::max(steepest_share * slopes.hillslope(), highest / way));
-    level_ = sea - deep;
-    std::ranges::fill(relief_.values(), 0.0);
-    for (std::size_t i = 0; i < own_.size(); ++i)
-        if (inside.values()[i] == 0) own_.values()[i] = std::max(own_.values()[i], level_);
-    downstream_ = route_flow(own_, {}, dx, dy).receiver;
+std::optional<EdgeLake> SurroundingPlain::lake_of(const Snapshot& first, const Grid& surface,
+                                                  const Field<float>& depth) const {
+    if (!has_water(first)) return std::nullopt;
+    const double unit = first.scale.height_unit;
+    const double closed = closed_depth(first.scale) / unit;
+    Grid water = in_tile(*field_of(first.fields, "water_depth"));
+    for (double& deep : water.values()) deep /= unit;
+    Grid speed = in_tile(*field_of(first.fields, "velocity_x"));
+    const Grid north = in_tile(*field_of(first.fields, "velocity_y"));
+    for (std::size_t i = 0; i < speed.size(); ++i)
+        speed.values()[i] = elementary::hypot(speed.values()[i], north.values()[i]);
+    return lake_at_edge(surface, water, speed, depth, least_stream * closed, closed);
 }
 
 void SurroundingPlain::lead_over(Grid& tile, const Mask& between) const {
@@ -281,6 +215,7 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, const Surroundings& a
             ++edge;
             continue;
         }
+        if (lake_ && lake_->edge.values()[i] != 0) continue;
         const double fast = elementary::hypot(along_x.values()[i], along_y.values()[i]);
         for (std::int32_t cell = downstream_.values()[i]; cell != FlowRouting::outlet;
              cell = downstream_.values()[static_cast<std::size_t>(cell)]) {
@@ -289,6 +224,18 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, const Surroundings& a
             stream.values()[at] = deep;
             speed.values()[at] = fast;
         }
+    }
+    // A lake that falls within the bed does so beyond it.
+    double lake = 0.0;
+    if (lake_) {
+        const Grid heights = in_tile(snapshot.bed);
+        std::size_t cells = 0;
+        for (std::size_t i = 0; i < heights.size(); ++i) {
+            if (lake_->edge.values()[i] == 0) continue;
+            lake += heights.values()[i] + depth.values()[i] / snapshot.scale.height_unit;
+            ++cells;
+        }
+        lake = std::min(lake / static_cast<double>(cells), lake_->level);
     }
     if (edge > 0) damp /= static_cast<double>(edge);
     const double film = closed * damp * damp;
@@ -312,7 +259,9 @@ void SurroundingPlain::add_water(const Snapshot& snapshot, const Surroundings& a
     set("water_depth", far_depth, [&](int x, int y, double continued) {
         const double sea = sea_ ? (*sea_ - maps.bed(x, y)) * unit : 0.0;
         if (sea > film) return sea;
-        const double beside = sea_ ? film : std::max(continued, 0.0);  // the sea wets no land
+        if (lake_ && lake_cells_(x, y) != 0) return std::max((lake - maps.bed(x, y)) * unit, film);
+        const double beside =
+            sea_ || lake_ ? film : std::max(continued, 0.0);  // still water wets no land
         return std::max(stream(x, y), std::lerp(film, beside, share(x, y)));
     });
     const auto way = [&](int x, int y, bool east) {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -154,7 +155,8 @@ bool is_bounded(const Snapshot& snapshot) {
     return !snapshot.periodic || !snapshot.nodata.empty();
 }
 
-SurroundingPlain::SurroundingPlain(const Snapshot& first, WorkerPool& pool)
+SurroundingPlain::SurroundingPlain(const Snapshot& first, WorkerPool& pool,
+                                   std::optional<double> sea)
     : bed_nx_(first.bed.nx()), bed_ny_(first.bed.ny()) {
     const int margin =
         std::max(static_cast<int>(margin_share * std::max(bed_nx_, bed_ny_)), least_margin);
@@ -170,7 +172,7 @@ SurroundingPlain::SurroundingPlain(const Snapshot& first, WorkerPool& pool)
     find_level(heights, outside, depth);
     make_relief(heights, outside, depth, pool);
     const bool land = first.landform == Landform::terrain || first.landform == Landform::water;
-    if (land && first.bed.ny() > 1) make_land(first, outside);
+    if (land && first.bed.ny() > 1) make_land(first, outside, sea);
 }
 
 Mask SurroundingPlain::outside_of(const Mask& nodata) const {
@@ -224,12 +226,12 @@ Grid SurroundingPlain::broad(const Grid& tile) const {
     return smoothed(tile, Grid(nx_, ny_, 1.0), radius);
 }
 
-Grid SurroundingPlain::mean_of_edge(const Grid& field, const Field<float>& depth) const {
-    Grid edge(nx_, ny_);
-    for (std::size_t i = 0; i < edge.size(); ++i)
-        if (depth.values()[i] > 0.0F && depth.values()[i] <= 2.0F) edge.values()[i] = 1.0;
+Grid SurroundingPlain::mean_of(const Grid& field, const Mask& cells) const {
+    Grid weight(nx_, ny_);
+    for (std::size_t i = 0; i < weight.size(); ++i)
+        if (cells.values()[i] != 0) weight.values()[i] = 1.0;
     const int reach = std::max(west_, south_);
-    return smoothed(field, edge, reach);
+    return smoothed(field, weight, reach);
 }
 
 void SurroundingPlain::make_relief(const Grid& heights, const Mask& outside,

@@ -9,6 +9,9 @@
 #include "base/grid.h"
 #include "base/snapshot.h"
 #include "numerics/tension_surface.h"
+#include "render/land/drained_land.h"
+#include "render/land/edge_lake.h"
+#include "render/land/wandering_coast.h"
 #include "render/view/block.h"
 #include "scene/scene.h"
 
@@ -34,13 +37,16 @@ bool is_bounded(const Snapshot& snapshot);
 /// leads valleys out from where the bed's water leaves. It is made of the first bed, so that a film
 /// shows one land; what changes at a bed's edge later goes on over it as a thin plate. Water
 /// that leaves the bed runs on along the valleys' beds; other ground is as damp as the edge is.
-/// Where the bed's edge lies in the sea (sea_level()), land goes on as high as the edge beside it
-/// and falls at the bed's mean gradient to that sea before the tile's end; the sea goes on to the
-/// horizon: under water as deep as at the edge, on a dry bed as level ground.
+/// Where the bed's edge lies in the sea, one that is known or that sea_level() finds, land goes on
+/// as high as the edge beside it and falls at the bed's mean gradient to that sea before the tile's
+/// end, at shores that wander (inland_distances()); the sea goes on to the horizon: under water as
+/// deep as at the edge, on a dry bed as level ground. Other still water that reaches over the edge
+/// (lake_at_edge()) ends as a lake, in shores that wander, too.
 class SurroundingPlain {
   public:
-    /// Of a bed, as it is shown.
-    SurroundingPlain(const Snapshot& first, WorkerPool& pool);
+    /// Of a bed, as it is shown. `sea`: the level of a sea that is known to be there, in the
+    /// heights' unit; without it the water at the edge says whether there is one.
+    SurroundingPlain(const Snapshot& first, WorkerPool& pool, std::optional<double> sea = {});
 
     /// That bed, or one of the same cells, in the plain: a snapshot of the maps of GroundTiles,
     /// periodic and without cells outside, of fields only those that are drawn, which go
@@ -83,15 +89,23 @@ class SurroundingPlain {
     [[nodiscard]] Mask between_bed_and_plain(const Mask& outside) const;
     /// Cells outside that lie within a share of the margin of the bed's sides.
     [[nodiscard]] Mask within_of_bed(const Mask& outside, double share) const;
-    /// Of a field, by place: the mean of the bed's edge near by.
-    [[nodiscard]] Grid mean_of_edge(const Grid& field, const Field<float>& depth) const;
+    /// Of a field, by place: the mean of those of some cells that are near by.
+    [[nodiscard]] Grid mean_of(const Grid& field, const Mask& cells) const;
     [[nodiscard]] Grid continued(const Grid& field, const Surroundings& all) const;
     void find_level(const Grid& heights, const Mask& outside, const Field<float>& depth);
     void make_relief(const Grid& heights, const Mask& outside, const Field<float>& depth,
                      WorkerPool& pool);
 
-    void make_land(const Snapshot& first, const Mask& outside);
-    void make_coast(const Snapshot& first, const Mask& outside, double sea);
+    void make_land(const Snapshot& first, const Mask& outside, std::optional<double> known_sea);
+    /// False where no part of the bed's edge lies in the sea.
+    bool make_coast(const Snapshot& first, const Mask& outside, double sea);
+    /// The bed's edge, with its cells in the sea; `within`: how many cells each lies within.
+    [[nodiscard]] CoastEdge coast_edge(Mask sea, const Mask& outside,
+                                       const Field<float>& within) const;
+    /// A lake that reaches over the edge, which is no sea; `surface` in the tile.
+    [[nodiscard]] std::optional<EdgeLake> lake_of(const Snapshot& first, const Grid& surface,
+                                                  const Field<float>& depth) const;
+    void lay_lake(const Mask& outside, double fall, Field<LandCell>& cells);
     /// Fills in what is `between` in steps, so that slopes go on over some ten cells: the plate in
     /// tension gives them up within two of its own.
     void lead_over(Grid& tile, const Mask& between) const;
@@ -106,10 +120,12 @@ class SurroundingPlain {
     int west_;   ///< cells of the tile west of the bed
     int south_;  ///< and south of it
     double level_ = 0.0;
-    std::optional<double> sea_;  ///< the height of its surface
-    Grid relief_;                ///< of a tile of the plain alone
-    Grid roughness_;             ///< by which it is multiplied in the bed's tile
-    Grid own_;                   ///< of drained land: the bed's tile with the first bed; else empty
+    std::optional<double> sea_;     ///< the height of its surface
+    std::optional<EdgeLake> lake_;  ///< in the bed's tile
+    Mask lake_cells_;               ///< of it, beyond the bed
+    Grid relief_;                   ///< of a tile of the plain alone
+    Grid roughness_;                ///< by which it is multiplied in the bed's tile
+    Grid own_;  ///< of drained land: the bed's tile with the first bed; else empty
     Field<std::int32_t> downstream_;                    ///< of its cells, see FlowRouting
     Mask nodata_;                                       ///< of the first bed
     std::shared_ptr<const Surroundings> surroundings_;  ///< of a bed with that

@@ -233,7 +233,7 @@ TEST(SurroundingLand, GoesOnInlandOfACoastAsHighAsItsEdge) {
     };
     const double edge = mean_west(0);
     for (int away = 1; away <= 8; ++away) EXPECT_NEAR(mean_west(away), edge, 0.15 * edge) << away;
-    EXPECT_GT(mean_west(in.west / 2), 0.6 * edge);
+    EXPECT_GT(mean_west(in.west / 3), 0.6 * edge) << "before the bays begin";
     for (int y = 0; y < in.ny; ++y) ASSERT_EQ(in.maps.bed(0, y), 0.0) << "the sea behind it";
 }
 

@@ -1,4 +1,4 @@
-#include "render/view/footprints.h"
+#include "render/life/footprints.h"
 
 #include <algorithm>
 #include <cmath>
