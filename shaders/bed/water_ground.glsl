@@ -17,10 +17,10 @@ vec3 worked(vec3 albedo, float laid) {
     return mix(mix(albedo, fresh, max(laid, 0.0)), worn, max(-laid, 0.0));
 }
 
-// Soil is less golden than a dune's sand; where it lies dry, rain has beaten a pale crust, in patches; a wall shows the
-// moister soil below in its layers.
+// Soil is less golden than a dune's sand.
 vec3 earthen(vec3 albedo) { return covered < 0.5 ? mix(vec3(luminance(albedo)), albedo, 0.54) : albedo; }
 
+// Where it lies dry, rain has beaten a pale crust, in patches; a wall shows the moister soil below in its layers.
 vec3 earthen(vec3 albedo, Soil soil, float damp) {
     albedo = earthen(albedo);
     float crust = (1.0 - grown) * (1.0 - damp) * (1.0 - soil.cut) * smoothstep(-0.5, 0.9, soil.height);
@@ -57,9 +57,9 @@ WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, ve
         water.depth = mix(water.depth, depth_by_cover(water.depth, shown.a), cover);
     }
     float damp = mix(1.0, 0.85, studio) * visible * clamp(shown.r + 0.8 * shown.r * (1.0 - shown.r) * -soil.height, 0.0, 1.0);
-    vec3 around = albedo;
+    vec3 mean_albedo = albedo;  // of the ground around
     if (natural > 0.5) {
-        around = earthen(albedo);
+        mean_albedo = earthen(albedo);
         albedo = earthen(albedo, soil, damp);
         albedo = worked(albedo, visible * laid);
         albedo *= (1.0 + 0.13 * soil.tone) * (1.0 - 0.45 * soil.groove);
@@ -67,6 +67,7 @@ WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, ve
     }
     Laid cover = drape_at(position, width / extent);
     albedo = with_drape(albedo, cover);
+    mean_albedo = with_drape(mean_albedo, cover);
     if (draped > 0.5) {  // what nobody has surveyed gives way
         soil.slope *= 1.0 - cover.share;
         soil.groove *= 1.0 - cover.share;
@@ -86,12 +87,11 @@ WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, ve
     eroded = true;
     // A wall's soil is drawn moist as it is.
     vec3 wet = wetted(albedo, damp * (1.0 - 0.6 * soil.cut));
-    // What faces a dark groove or a clod is as light as the ground there is on the whole.
     vec3 light;
     if (atmosphere > 0.5) {
-        // Crumbs that stand in the sun on ground that turns away from it.
+        // Crumbs stand in the sun on ground that turns away from it. What faces a dark groove is as light as the ground is on the whole.
         float direct = roughened(point.sun * mean_facing(dot(point.normal, to_sun), 0.25), point.normal, to_eye, 0.25);
-        light = ground_light_of(wet, wetted(around, visible * shown.r), direct, point, to_eye, 1.0 + 2.0 * damp);
+        light = ground_light_of(wet, wetted(mean_albedo, visible * shown.r), direct, point, to_eye, 1.0 + 2.0 * damp);
     } else {
         light = ground_light(wet, point, to_eye, 1.0 + 2.0 * damp);
     }
