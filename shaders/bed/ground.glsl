@@ -38,6 +38,8 @@ vec3 board() {
     return mix(vec3(luminance(ground)), ground, 0.14) * 1.35;
 }
 
+float grown = 0.0;  // 0 … 1: how far grass covers the place of the last with_cover()
+
 // Edges between them are as ragged as the noise.
 vec3 with_cover(vec3 own, vec2 position, vec3 noise) {
     vec4 cover = texture(cover_map, position);
@@ -48,7 +50,8 @@ vec3 with_cover(vec3 own, vec2 position, vec3 noise) {
     vec3 soil = mix(own, vec3(0.250, 0.205, 0.155), 0.75);
     vec3 cliff = mix(0.92 * soil, vec3(0.262, 0.228, 0.188), rock);  // earth where the relief is that of a gully
     vec3 bare = mix(soil, cliff * (1.0 + 0.22 * noise.g), stone);
-    return mix(mix(bare, meadow, 0.92 * grass * (1.0 - stone)), vec3(0.80, 0.83, 0.88), snow);
+    grown = grass * (1.0 - stone);
+    return mix(mix(bare, meadow, 0.92 * grown), vec3(0.80, 0.83, 0.88), snow);
 }
 
 // How much of rock is seen.
@@ -95,14 +98,29 @@ vec3 light_onto(vec3 from_sun, vec3 albedo, BedPoint point) {
     return from_sun + sky + bounce;
 }
 
-// From the sun's share that leaves it, `direct`. `gloss` is 1 for dry ground.
-vec3 ground_light_of(vec3 albedo, float direct, BedPoint point, vec3 to_eye, float gloss) {
+// Mean of what a surface gets of the sun whose slope varies by `spread` about the mean in the sun's direction, and by its
+// grains.
+float mean_facing(float n_dot_l, float spread) {
+    const float grains = 0.06;
+    return 0.5 * (n_dot_l + sqrt(n_dot_l * n_dot_l + 0.7 * (spread * spread + grains * grains)));
+}
+
+// What a rough surface throws to the eye of the sun's light that it gets.
+float roughened(float direct, vec3 normal, vec3 to_eye, float least) {
+    float n_dot_l = max(dot(normal, to_sun), least);
+    return direct / n_dot_l * oren_nayar(n_dot_l, max(dot(normal, to_eye), 0.0), dot(to_sun, to_eye));
+}
+
+// From the sun's share that leaves it, `direct`. `around`: the colour of ground around. `gloss` is 1 for dry ground.
+vec3 ground_light_of(vec3 albedo, vec3 around, float direct, BedPoint point, vec3 to_eye, float gloss) {
     float n_dot_l = max(dot(point.normal, to_sun), 0.0);
     vec3 halfway = normalize(to_sun + to_eye);
     float shine = max(dot(point.normal, halfway), 0.0);
     shine *= shine; shine *= shine; shine *= shine;
-    return albedo * light_onto(sun_light * direct, albedo, point) + sun_light * (0.035 * gloss * shine * point.sun * n_dot_l);
+    return albedo * light_onto(sun_light * direct, around, point) + sun_light * (0.035 * gloss * shine * point.sun * n_dot_l);
 }
+
+vec3 ground_light_of(vec3 albedo, float direct, BedPoint point, vec3 to_eye, float gloss) { return ground_light_of(albedo, albedo, direct, point, to_eye, gloss); }
 
 vec3 ground_light(vec3 albedo, BedPoint point, vec3 to_eye, float gloss) {
     float n_dot_l = max(dot(point.normal, to_sun), 0.0);

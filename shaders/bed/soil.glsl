@@ -30,8 +30,8 @@ vec3 shown_noise(vec2 at, float wavelength, float width) {
     return detail_visibility(wavelength, width) * (2.0 * texture(streak_map, at / (noise_repeat * wavelength)).rgb - 1.0);
 }
 
-// `worn`: how far water has carried the fines away, 0 … 1.
-Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
+// 0 … 1: `worn`, how far water has carried the fines away; `grown`, how far grass holds the soil together, so that rain does not cut it.
+Soil soil_at(vec3 world_point, BedPoint point, float width, float worn, float grown) {
     vec2 world = world_point.xy;
     vec3 clods = shown_noise(world + 0.37, 3.1 * cell, width);
     vec3 lumps = shown_noise(world.yx + 0.11, 1.13 * cell, width).xzy;
@@ -54,7 +54,7 @@ Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
         pebbles = i == 0 ? grains.x : pebbles;
         size *= 0.36;
     }
-    float rills = mix(1.0, 0.5, studio) * smoothstep(0.18, 0.55, steep) * detail_visibility(0.9 * cell, width);
+    float rills = mix(1.0, 0.5, studio) * (1.0 - grown) * smoothstep(0.18, 0.55, steep) * detail_visibility(0.9 * cell, width);
     {
         vec2 downslope = down / max(steep, 1e-6);
         vec2 across = vec2(-downslope.y, downslope.x);
@@ -69,7 +69,7 @@ Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
     // Water that falls over a wall's edge flutes it: grooves straight down, between ribs.
     soil.groove = 0.0;
     float opened = mix(1.0, 0.35, studio);  // even light fills what is cut into a wall
-    float flutes = opened * smoothstep(0.35, 0.9, steep) * detail_visibility(1.2 * cell, width);
+    float flutes = opened * (1.0 - grown) * smoothstep(0.35, 0.9, steep) * detail_visibility(1.2 * cell, width);
     {
         vec2 downslope = down / max(steep, 1e-6);
         vec2 across = vec2(-downslope.y, downslope.x);
@@ -82,7 +82,7 @@ Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
         soil.groove = flutes * (1.0 - smoothstep(0.05, 0.32, abs(sum.x + 0.1)));
         soil.height += flutes * 0.5 * sum.x;
     }
-    soil.cut = opened * smoothstep(0.45, 1.0, steep + 0.10 * lumps.x);
+    soil.cut = opened * (1.0 - grown) * smoothstep(0.45, 1.0, steep + 0.10 * lumps.x);
     soil.layers = 0.0;
     soil.stone = 0.0;
     if (strata < 0.5) return soil;

@@ -17,11 +17,13 @@ vec3 worked(vec3 albedo, float laid) {
     return mix(mix(albedo, fresh, max(laid, 0.0)), worn, max(-laid, 0.0));
 }
 
-// Soil is less golden than a dune's sand; where it lies dry, rain has beaten a pale crust, in patches; a wall shows the
-// moister soil below in its layers.
+// Soil is less golden than a dune's sand.
+vec3 earthen(vec3 albedo) { return covered < 0.5 ? mix(vec3(luminance(albedo)), albedo, 0.54) : albedo; }
+
+// Where it lies dry, rain has beaten a pale crust, in patches; a wall shows the moister soil below in its layers.
 vec3 earthen(vec3 albedo, Soil soil, float damp) {
-    albedo = mix(vec3(luminance(albedo)), albedo, 0.54);
-    float crust = (1.0 - damp) * (1.0 - soil.cut) * smoothstep(-0.5, 0.9, soil.height);
+    albedo = earthen(albedo);
+    float crust = (1.0 - grown) * (1.0 - damp) * (1.0 - soil.cut) * smoothstep(-0.5, 0.9, soil.height);
     albedo = mix(albedo, vec3(0.66, 0.565, 0.43), 0.40 * crust);
     vec3 below = albedo * mix(vec3(0.68, 0.57, 0.47), vec3(1.06, 0.97, 0.84), clamp(0.5 + 0.5 * soil.layers, 0.0, 1.0));
     return mix(albedo, below, soil.cut);
@@ -48,14 +50,16 @@ WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, ve
     vec2 world = world_point.xy;
     float visible = tinted;
     float laid = 2.0 * shown.g - 1.0;
-    Soil soil = soil_at(world_point, point, width, clamp(-laid, 0.0, 1.0));
+    Soil soil = soil_at(world_point, point, width, clamp(-laid, 0.0, 1.0), grown);
     if (under_water > dry_water) {
         float cover = by_cover(width);
         water.film = mix(closed_film(water, soil), shown.a, cover);
         water.depth = mix(water.depth, depth_by_cover(water.depth, shown.a), cover);
     }
     float damp = mix(1.0, 0.85, studio) * visible * clamp(shown.r + 0.8 * shown.r * (1.0 - shown.r) * -soil.height, 0.0, 1.0);
+    vec3 mean_albedo = albedo;  // of the ground around
     if (natural > 0.5) {
+        mean_albedo = earthen(albedo);
         albedo = earthen(albedo, soil, damp);
         albedo = worked(albedo, visible * laid);
         albedo *= (1.0 + 0.13 * soil.tone) * (1.0 - 0.45 * soil.groove);
@@ -63,6 +67,7 @@ WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, ve
     }
     Laid cover = drape_at(position, width / extent);
     albedo = with_drape(albedo, cover);
+    mean_albedo = with_drape(mean_albedo, cover);
     if (draped > 0.5) {  // what nobody has surveyed gives way
         soil.slope *= 1.0 - cover.share;
         soil.groove *= 1.0 - cover.share;
@@ -73,12 +78,23 @@ WetGround wet_ground(vec2 position, BedPoint point, vec3 albedo, Water water, ve
     // Ground behind the sun stands in the shade of its own clods, but for the highest; the water over it does not.
     BedPoint on_water = point;
     point.sun *= smoothstep(-0.22, 0.14, dot(point.normal, to_sun));
+    // Flanks of rills face each other: of their hemisphere all but the cosine of their slope is the one across, so that rilled
+    // ground gets as much of the sky as a plane does.
+    if (atmosphere > 0.5) point.sky *= max(dot(point.normal, normal_below), 0.3);
     point.normal = normal_below;
     point.sky *= clamp(1.0 + 0.10 * soil.height, 0.6, 1.1) * (1.0 - 0.25 * soil.groove);
 
     eroded = true;
     // A wall's soil is drawn moist as it is.
-    vec3 light = ground_light(wetted(albedo, damp * (1.0 - 0.6 * soil.cut)), point, to_eye, 1.0 + 2.0 * damp);
+    vec3 wet = wetted(albedo, damp * (1.0 - 0.6 * soil.cut));
+    vec3 light;
+    if (atmosphere > 0.5) {
+        // Crumbs stand in the sun on ground that turns away from it. What faces a dark groove is as light as the ground is on the whole.
+        float direct = roughened(point.sun * mean_facing(dot(point.normal, to_sun), 0.25), point.normal, to_eye, 0.25);
+        light = ground_light_of(wet, wetted(mean_albedo, visible * shown.r), direct, point, to_eye, 1.0 + 2.0 * damp);
+    } else {
+        light = ground_light(wet, point, to_eye, 1.0 + 2.0 * damp);
+    }
     if (under_water > dry_water) {
         vec3 around = light_onto(vec3(0.0), albedo, on_water);
         float sun = on_water.sun;

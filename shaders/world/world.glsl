@@ -165,21 +165,8 @@ vec2 facing_of(vec2 slope) {
     return turned / max(length(turned), 0.2);
 }
 
-// Mean of what a surface gets of the sun whose slope varies by `spread` about the mean in the sun's direction, and by its
-// grains.
-float mean_facing(float n_dot_l, float spread) {
-    const float grains = 0.06;
-    return 0.5 * (n_dot_l + sqrt(n_dot_l * n_dot_l + 0.7 * (spread * spread + grains * grains)));
-}
-
 // Of the cosine between normal and sun, for the next function: rock's normals vary more than it knows.
 float least_facing(float rocky) { return mix(0.02, 0.25, rocky); }
-
-// What a rough surface throws to the eye of the sun's light that it gets.
-float roughened(float direct, vec3 normal, vec3 to_eye, float least) {
-    float n_dot_l = max(dot(normal, to_sun), least);
-    return direct / n_dot_l * oren_nayar(n_dot_l, max(dot(normal, to_eye), 0.0), dot(to_sun, to_eye));
-}
 
 // Lengths and places in metres, or, without metres, in units to which a cell is 0.4.
 float metres(float block_lengths) { return block_lengths * (0.12 / ripple_length); }

@@ -10,6 +10,7 @@
 
 #include "base/snapshot.h"
 #include "support/drawn_picture.h"
+#include "support/water_beds.h"
 
 namespace fumon {
 namespace {
@@ -181,12 +182,12 @@ TEST(Rock, HasNoTeethInTheEdgeOfAShadowThatClimbsIt) {
 }
 
 /// Ridges of 40 m across the sun's way.
-Snapshot covered_ridges() {
+Snapshot covered_ridges(double height = 20.0) {
     Snapshot land;
     land.landform = Landform::terrain;
     land.bed = Grid(24, 24);
     for (int y = 0; y < 24; ++y)
-        for (int x = 0; x < 24; ++x) land.bed(x, y) = 20.0 * std::sin(0.8 * x) + 0.5 * y;
+        for (int x = 0; x < 24; ++x) land.bed(x, y) = height * std::sin(0.8 * x) + 0.5 * y;
     land.scale.dx = land.scale.dy = 10.0;
     land.scale.in_metres = true;
     return land;
@@ -221,6 +222,23 @@ TEST(CoveredLand, IsNotBlueInShade) {
     view.sun.elevation = 20.0;
     view.camera.azimuth = 160.0;
     EXPECT_LT(blueness_of_shade(picture(view, covered_ridges())), 1.1);
+}
+
+// Its rills that turn away from a sun along the slope see those across, not the sky alone.
+TEST(CoveredLand, UnderAFilmOfRainHasNoBlueRills) {
+    View view = small_view(96, 54);
+    view.image.supersampling = 1;
+    view.look.ground = Ground::endless;
+    view.look.cover = LandCover::automatic;
+    view.look.exaggeration = {"", 1.0};
+    view.sun.azimuth = 270.0;
+    view.sun.elevation = 30.0;
+    view.camera.azimuth = 160.0;
+    Snapshot land = covered_ridges(7.0);
+    add_field(land, "water_depth", Grid(24, 24, 1e-4));
+    add_field(land, "velocity_x", Grid(24, 24));
+    add_field(land, "velocity_y", Grid(24, 24));
+    EXPECT_LT(blueness_of_shade(picture(view, land)), 0.97);
 }
 
 }  // namespace

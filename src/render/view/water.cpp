@@ -136,29 +136,41 @@ Mask grown(const Mask& mask) {
     return result;
 }
 
-/// The level of streams, water that is at least `closes` deep, and of what lies beside them: the
-/// mean of the streams near by; the ground itself elsewhere.
-Field<float> stream_levels(const Field<float>& ground, const Field<float>& level, float closes) {
+/// What streams have, water that is at least `closes` deep, and of what lies beside them the mean
+/// of the streams near by; elsewhere what the cell itself has.
+Field<float> of_streams(const Field<float>& values, const Field<float>& ground,
+                        const Field<float>& level, float closes, const Field<float>& elsewhere) {
     Mask none(ground.nx(), ground.ny());
     for (std::size_t i = 0; i < none.size(); ++i)
         none.values()[i] = level.values()[i] - ground.values()[i] < closes ? 1 : 0;
     constexpr float unreached = -1e30F;
-    Field<float> levels = level;
-    extrapolate_outward(levels, none, unreached);
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-        if (levels.values()[i] == unreached) levels.values()[i] = ground.values()[i];
+    Field<float> found = values;
+    extrapolate_outward(found, none, unreached);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (found.values()[i] == unreached) found.values()[i] = elsewhere.values()[i];
     }
-    return levels;
+    return found;
 }
 
 /// 0 … 1: how much of a stream's film is left out where the ground stands so high over the stream,
-/// in cells. Between the middles of cells, a film that followed the ground would climb its banks,
-/// as a row of shards along a channel one cell wide.
-float climbed(float climb) {
-    constexpr float begins = 0.04F;
-    constexpr float ends = 0.16F;
-    const float share = std::clamp((climb - begins) / (ends - begins), 0.0F, 1.0F);
+/// which is so deep, in cells. Between the middles of cells, a film that followed the ground would
+/// climb its banks, as a row of shards along a channel one cell wide. Between banks of 1 in 1,
+/// whose foot is rounded by the interpolation, as much water as the cell has stands about 0.65 of
+/// the root of its depth high.
+float climbed(float climb, float depth) {
+    constexpr float least = 0.1F;
+    constexpr float fades = 0.06F;  // above and below
+    const float stands = std::max(0.65F * std::sqrt(std::max(depth, 0.0F)), least);
+    const float share = std::clamp((climb - stands + fades) / (2.0F * fades), 0.0F, 1.0F);
     return share * share * (3.0F - 2.0F * share);
+}
+
+/// Whether ground stands over a cell's level on both sides of it.
+bool is_narrow(const Field<float>& ground, float level, int x, int y) {
+    const auto beside = [&](int u, int v) {
+        return u >= 0 && v >= 0 && u < ground.nx() && v < ground.ny() && ground(u, v) > level;
+    };
+    return (beside(x - 1, y) && beside(x + 1, y)) || (beside(x, y - 1) && beside(x, y + 1));
 }
 
 /// The depth on a display bed's cells. Water that lies level ends where its level meets the ground
@@ -186,12 +198,18 @@ Field<float> shown_depths(const Snapshot& snapshot, const Mask& dry, const Mask&
         if (known(i))
             ground.values()[i] = static_cast<float>(snapshot.bed.values()[i] * unit - lowest);
         const float water = dry.values()[i] != 0 ? 0.0F : static_cast<float>(depth.values()[i]);
-        film.values()[i] = sloping.values()[i] != 0 ? water : std::min(water, least);
+        film.values()[i] = water;
         level.values()[i] = ground.values()[i] + water;
     }
     if (!snapshot.nodata.empty()) {
         extrapolate_outward(ground, snapshot.nodata, 0.0F);
         extrapolate_outward(level, snapshot.nodata, 0.0F);
+    }
+    for (int y = 0; y < film.ny(); ++y) {
+        for (int x = 0; x < film.nx(); ++x) {
+            if (sloping(x, y) == 0 && !is_narrow(ground, level(x, y), x, y))
+                film(x, y) = std::min(film(x, y), least);
+        }
     }
     Field<float> lake = level;
     extrapolate_outward(lake, sloping, unreached);
@@ -202,16 +220,19 @@ Field<float> shown_depths(const Snapshot& snapshot, const Mask& dry, const Mask&
     Field<float> shown = refined(lake, refinement);
     const Field<float> below = refined(ground, refinement);
     const Field<float> films = refined(film, refinement);
+    const Field<float> depths = refined(of_streams(film, ground, level, closes, film), refinement);
     for (float& water : film.values()) water = std::min(water, closes);
     const Field<float> thin = refined(film, refinement);
-    const Field<float> streams = refined(stream_levels(ground, level, closes), refinement);
+    const Field<float> streams =
+        refined(of_streams(level, ground, level, closes, ground), refinement);
     const auto dx = static_cast<float>(snapshot.scale.dx);
     const Mask near_lake = refined(grown(sloping), refinement);
     const auto highest = static_cast<float>(deepest_bank * snapshot.scale.dx);
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const float climb = (below.values()[i] - streams.values()[i]) / dx;
         const float wets =
-            std::max({films.values()[i] * (1.0F - climbed(climb)), thin.values()[i], 0.0F});
+            std::max({films.values()[i] * (1.0F - climbed(climb, depths.values()[i] / dx)),
+                      thin.values()[i], 0.0F});
         if (near_lake.values()[i] == 0) {
             shown.values()[i] = wets;
             continue;

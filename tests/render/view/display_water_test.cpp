@@ -76,6 +76,26 @@ TEST(DisplayWater, AStreamDoesNotClimbItsBanksBetweenCells) {
     EXPECT_LE(widest, finer * 3 / 4) << "of a cell, not up the walls";
 }
 
+// Between interpolated banks the depth of the middle alone would be a line a tenth of a cell wide.
+TEST(DisplayWater, WaterInAChannelOfOneCellIsAsMuchAsTheCellHas) {
+    // It falls by a hundredth a cell, less than the water is deep, between walls of 1.
+    constexpr int finer = 8;
+    Snapshot gully = under_water(flat_bed(21, 40), 0.0, 0.0);
+    for (int y = 0; y < 40; ++y) {
+        for (int x = 0; x < 21; ++x)
+            gully.bed(x, y) = 0.01 * y + 1.0 * std::min(3, std::abs(x - 10));
+        gully.fields[0].values(10, y) = 0.06;
+    }
+    const DisplayWater water = displayed_water(gully, finer);
+    const auto closes = static_cast<float>(closed_depth(gully.scale));
+    for (int y = 10 * finer; y < 30 * finer; ++y) {
+        int width = 0;
+        for (int x = 8 * finer; x < 13 * finer; ++x) width += water.depth(x, y) > closes ? 1 : 0;
+        EXPECT_GE(width, finer / 4) << "unbroken, at row " << y;
+        EXPECT_LE(width, finer * 3 / 4) << "not up the walls, at row " << y;
+    }
+}
+
 TEST(DisplayWater, EndsWhereItsLevelMeetsTheGround) {
     // A pond to level 1.6 before a bank of 45 degrees, on which there is a film of half a
     // millimetre.
