@@ -13,10 +13,10 @@ void add_face(BodyMesh& mesh, const PersonFigure& figure) {
     const glm::vec3& skin = figure.skin;
     for (const double side : {-1.0, 1.0}) {
         const auto at = [side](double x, double y, double z) { return glm::dvec3(side * x, y, z); };
-        add_detail(mesh, at(0.031, 0.0905, 1.622), {0.020, 0.009, 0.0105}, 0.72F * skin);
-        add_detail(mesh, at(0.031, 0.0945, 1.620), {0.0125, 0.008, 0.0058},
+        add_detail(mesh, at(0.031, 0.0830, 1.622), {0.020, 0.009, 0.0105}, 0.72F * skin);
+        add_detail(mesh, at(0.0315, 0.0905, 1.620), {0.0125, 0.008, 0.0058},
                    glm::vec3(0.022F, 0.017F, 0.014F));
-        add_detail(mesh, at(0.032, 0.0950, 1.6385), {0.019, 0.0085, 0.0038}, figure.hair);
+        add_detail(mesh, at(0.032, 0.0870, 1.6385), {0.019, 0.0085, 0.0038}, figure.hair);
         add_detail(mesh, at(0.070, 0.000, 1.602), {0.011, 0.020, 0.032}, 0.9F * skin);
     }
     LimbLook look{skin, 12, 2, 0.7, 0.3};
