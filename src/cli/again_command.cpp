@@ -357,8 +357,8 @@ int results_picture_again(Scene scene, const AgainOptions& options, const WorkOp
             "pattern of names ('elev_*.asc')",
             options.picture, options.from.size()));
     const std::string from = options.from.empty() ? "" : options.from.front();
-    const StoredBeds beds =
-        results_again(results, {options.picture, "picture", from, work.threads}, status);
+    const StoredBeds beds = results_again(
+        results, {options.picture, "picture", from, work.threads, options.trust, {}}, status);
     const SharedSnapshot snapshot = beds.snapshot(bed_of_step(beds, origin.step));
     check_limits(scene, static_cast<std::int64_t>(snapshot->bed.size()), 0);
     InitialBed initial;

@@ -296,7 +296,8 @@ int perform(const FilmOptions& options) {
     }
     const Film& film = made_of.film;
     const FilmRuns& runs = made_of.runs;
-    const fs::path usual = made_of.usual.string() + ending_of(film.settings.format);
+    const fs::path usual =
+        fmt::format("{}{}", made_of.usual.string(), ending_of(film.settings.format));
     const fs::path named = options.output.empty() ? usual : fs::path(options.output);
     std::vector<FilmOutput> outputs =
         options.draft

@@ -66,8 +66,8 @@ std::shared_ptr<const Drape> read_drape(const Scene& scene, const fs::path& file
         return drape;
     } catch (const InputError& refusal) {
         if (!mine && !picture) {
-            throw InputError(
-                fmt::format("{}{} is not a readable picture", scene.at(key), file.string()));
+            throw InputError(fmt::format("{}{} is not a readable picture; --trust gives details",
+                                         scene.at(key), file.string()));
         }
         const std::string what = refusal.what();
         const bool placed = what.starts_with(scene.at(key)) && !scene.at(key).empty();

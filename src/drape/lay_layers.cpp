@@ -63,7 +63,7 @@ PlacedLayer read_placed(const Scene& scene, std::size_t number, const fs::path& 
     const bool mine = is_own_file(scene, file_key);
     const auto refuse = [&](const std::string& place, const std::string& what) {
         throw InputError(scene.at(place) + file.string() +
-                         (mine ? ": " + what : " is not a readable layer"));
+                         (mine ? ": " + what : " is not a readable layer; --trust gives details"));
     };
     try {
         VectorQuery query;

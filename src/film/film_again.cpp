@@ -5,17 +5,21 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <cstddef>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "files/hash.h"
+#include "files/input_file.h"
 #include "files/scratch_folder.h"
 #include "film/film_read.h"
 #include "film/film_texts.h"
 #include "film/make_film.h"
 #include "film/results_again.h"
 #include "outputs/output_claims.h"
+#include "picture/exr.h"
 #include "run/drawing.h"
 #include "run/inputs/find_input.h"
 #include "run/output_files.h"
@@ -91,6 +95,14 @@ std::optional<StoredBeds> stored_again(const FilmedRun& run, const std::vector<L
                                 writer.beds());
 }
 
+/// The endings that what is made again may have, that of the film first.
+std::vector<std::string_view> endings_of(const Film& film, const fs::path& file) {
+    if (film.settings.format != "poster") return {ending_of(film.settings.format)};
+    constexpr std::size_t signature = 4;  // bytes
+    if (is_exr(start_of_input_file(file, signature))) return {exr_ending.front(), ".png"};
+    return {".png", exr_ending.front()};
+}
+
 }  // namespace
 
 bool is_made_film(const fs::path& file) {
@@ -105,11 +117,11 @@ int make_film_again(const FilmAgain& wanted) {
     Film film = parse_film(text.text, wanted.film.string(), wanted.work.settings, false);
     const std::vector<LayerRecord> layers = filmed_layers(texts);
     film.found_layers = found_layers(film, layers, wanted.film);
-    const std::string ending = ending_of(film.settings.format);
-    const fs::path usual = wanted.film.stem().string() + "-again" + ending;
+    const std::vector<std::string_view> endings = endings_of(film, wanted.film);
+    const fs::path usual = wanted.film.stem().string() + "-again" + std::string(endings.front());
     FilmOutput output{wanted.output.empty() ? usual : wanted.output, std::move(film),
                       most_bytes_of(texts)};
-    check_ending(output.file, "this film", std::vector<std::string_view>{ending});
+    check_ending(output.file, "this film", endings);
     OutputClaims claims(wanted.force);
     claims.reads(wanted.film);
     claim_film(claims, output);
@@ -127,9 +139,13 @@ int make_film_again(const FilmAgain& wanted) {
     for (const FilmedRun& run : runs) {
         if (run.foreign) {
             const std::string from = given == wanted.from.end() ? "" : *given++;
-            stored.push_back(results_again({run.name, run.inputs, *run.foreign},
-                                           {wanted.film, "film", from, wanted.work.threads},
-                                           status));
+            std::vector<InputFile> others;
+            others.reserve(layers.size());
+            for (const LayerRecord& layer : layers) others.push_back(layer.input);
+            stored.push_back(results_again(
+                {run.name, run.inputs, *run.foreign},
+                {wanted.film, "film", from, wanted.work.threads, wanted.trust, std::move(others)},
+                status));
             continue;
         }
         const fs::path folder = scratch.path() / std::to_string(stored.size() + 1);
@@ -143,7 +159,8 @@ int make_film_again(const FilmAgain& wanted) {
     const FilmRuns film_runs(std::move(stored), arrangement_of(output.film));
     const MadeFilm made = make_film(output, film_runs, text.remake, wanted.work, status);
     if (made.signal != 0) return exit_status_of_signal(made.signal);
-    if (!wanted.work.settings.empty()) {
+    const bool other_format = small_ending(output.file) != endings.front();
+    if (other_format || !wanted.work.settings.empty()) {
         status.note(fmt::format("{}: made", output.file.string()));
     } else if (file_hash(output.file) == file_hash(wanted.film)) {
         status.note(

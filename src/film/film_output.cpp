@@ -72,7 +72,7 @@ FilmOutput output_for(const Film& film, const fs::path& base, const std::string&
             fmt::format("--formats: unknown format \"{}\"; {}", name, suggestion(name, known)));
     }
     output.film.settings.format = format;
-    output.file += "-" + name + ending_of(format);
+    output.file += fmt::format("-{}{}", name, ending_of(format));
     return output;
 }
 
@@ -154,9 +154,9 @@ void refuse_sequence(const fs::path& file, std::string_view option) {
 
 }  // namespace
 
-std::string ending_of(const std::string& format) {
+std::string_view ending_of(const std::string& format) {
     if (is_picture(format)) return ".png";
-    return std::string(find_movie_format(format)->ending);
+    return find_movie_format(format)->ending;
 }
 
 std::string output_names() {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "film/script/film.h"
@@ -41,6 +42,6 @@ std::vector<FilmOutput> film_outputs(const Film& film, const std::filesystem::pa
 FilmOutput draft_output(const Film& film, const std::filesystem::path& file);
 
 /// The ending of a format's files: ".mp4", ".png".
-std::string ending_of(const std::string& format);
+std::string_view ending_of(const std::string& format);
 
 }  // namespace fumon

@@ -105,10 +105,11 @@ std::vector<FilmedRun> filmed_runs(const FilmTexts& texts, const std::string& fi
         runs.clear();
     }
     if (!runs.empty() && runs.size() <= std::size_t{most_joined_runs}) return runs;
-    throw InputError(
-        fmt::format("{}: does not name the runs that it was cut from; `fumon film RUN {}` makes it "
-                    "again from a run's folder",
-                    film, film));
+    const bool is_light = small_ending(film) == exr_ending.front();
+    throw InputError(fmt::format(
+        "{}: does not name the runs that it was cut from; `fumon film RUN {}{}` makes "
+        "{} again from a run's folder",
+        film, film, is_light ? " -o light_%05d.exr" : "", is_light ? "all frames" : "it"));
 }
 
 std::string filmed_layers_text(const std::vector<LayerRecord>& layers) {

@@ -180,7 +180,7 @@ class FilmMaker {
     }
 
     /// Of a file of this film, with the hash of its pixels.
-    [[nodiscard]] PictureText texts_of(const Film& film, const Sha256Stream& pixels,
+    [[nodiscard]] PictureText texts_of(const Film& film, const Sha256& pixels,
                                        const std::string& environment) const {
         PictureText texts;
         if (!facts_.title.empty()) texts.emplace_back("Title", facts_.title);
@@ -194,7 +194,7 @@ class FilmMaker {
         add_between(texts);
         if (output_.most_bytes > 0)
             texts.emplace_back(most_bytes_keyword, fmt::format("{}", output_.most_bytes));
-        texts.emplace_back("fumon:pixels-sha256", hex(pixels.so_far()));
+        texts.emplace_back("fumon:pixels-sha256", hex(pixels));
         texts.emplace_back("fumon:environment", environment);
         return texts;
     }
@@ -212,17 +212,22 @@ class FilmMaker {
         return environment_text(painter_->record().environment);
     }
 
-    [[nodiscard]] PictureText texts() const { return texts_of(film_, pixels_, environment()); }
+    [[nodiscard]] PictureText texts() const {
+        return texts_of(film_, pixels_.so_far(), environment());
+    }
+
+    [[nodiscard]] std::int64_t poster_frame() const {
+        const double second = film_.settings.poster_second;
+        if (second < 0.0) return painter_->frames() / 2;
+        return std::min<std::int64_t>(std::lround(second * film_.settings.rate),
+                                      painter_->frames() - 1);
+    }
 
     void write_poster() {
-        const double second = film_.settings.poster_second;
-        const std::int64_t frame =
-            second < 0.0 ? painter_->frames() / 2
-                         : std::min<std::int64_t>(std::lround(second * film_.settings.rate),
-                                                  painter_->frames() - 1);
-        const Image image = draw(frame, 1);
-        add_to_hash(pixels_, image);
         made_.frames = 1;
+        if (holds_light(output_.file)) return write_light(poster_frame(), output_.file);
+        const Image image = draw(poster_frame(), 1);
+        add_to_hash(pixels_, image);
         write_file(output_.file,
                    encode_png(image, beds_.scene().view.image.dots_per_inch, texts()));
     }
@@ -246,7 +251,7 @@ class FilmMaker {
 
     /// Each frame as a poster, which `fumon again` draws alone.
     void write_sequence() {
-        if (holds_light(output_.file)) return write_light();
+        if (holds_light(output_.file)) return write_lights();
         if (output_.goes_on) kept_.emplace(output_.file, identity());
         const double dots_per_inch = beds_.scene().view.image.dots_per_inch;
         const std::string drawn_by = environment();
@@ -257,31 +262,27 @@ class FilmMaker {
             add_to_hash(pixels, image);
             film.settings.poster_second = static_cast<double>(frame) / film_.settings.rate;
             write_file(sequence_file(output_.file, frame++),
-                       encode_png(image, dots_per_inch, texts_of(film, pixels, drawn_by)));
+                       encode_png(image, dots_per_inch, texts_of(film, pixels.so_far(), drawn_by)));
         });
         if (kept_) kept_->finish();
     }
 
-    /// The light of each frame, for editors.
-    void write_light() {
+    /// The light of a frame, for editors, which `fumon again` draws alone.
+    void write_light(std::int64_t frame, const fs::path& file) {
+        made_.begun_frame = frame;
+        if (const int signal = interrupting_signal(); signal != 0) throw Interrupted{signal};
+        const LayeredImage light = painter_->light(frame);
         Film film = film_;
         film.settings.format = "poster";
+        film.settings.poster_second = static_cast<double>(frame) / film_.settings.rate;
+        write_file(file, encode_exr(light, beds_.scene().view.image.dots_per_inch,
+                                    texts_of(film, layers_hash(light), environment())));
+        pace_.count(true, watch_.seconds());
+    }
+
+    void write_lights() {
         for (std::int64_t frame = 0; frame < painter_->frames(); ++frame) {
-            made_.begun_frame = frame;
-            if (const int signal = interrupting_signal(); signal != 0) throw Interrupted{signal};
-            const LayeredImage light = painter_->light(frame);
-            PictureText texts = own_text();
-            texts.emplace_back(version_keyword, FUMON_VERSION);
-            film.settings.poster_second = static_cast<double>(frame) / film_.settings.rate;
-            texts.emplace_back(film_keyword, film_toml(film));
-            texts.emplace_back(remake_keyword, facts_.remake);
-            if (!layers_.empty()) texts.emplace_back(layers_keyword, filmed_layers_text(layers_));
-            add_between(texts);
-            texts.emplace_back("fumon:pixels-sha256", hex(layers_hash(light)));
-            texts.emplace_back("fumon:environment", environment());
-            write_file(sequence_file(output_.file, frame),
-                       encode_exr(light, beds_.scene().view.image.dots_per_inch, texts));
-            pace_.count(true, watch_.seconds());
+            write_light(frame, sequence_file(output_.file, frame));
             if (status_.due()) status_.show(pace_.text(painter_->frames()));
         }
     }
@@ -291,7 +292,7 @@ class FilmMaker {
         Film film = film_;
         film.settings.format = "sheet";
         write_file(output_.sheet, encode_png(sheet.image(), sheet_dots_per_inch,
-                                             texts_of(film, pixels, environment())));
+                                             texts_of(film, pixels.so_far(), environment())));
         made_.sheet_frames = static_cast<std::int64_t>(sheet.frames().size());
     }
 

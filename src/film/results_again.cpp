@@ -3,11 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <optional>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
+#include "files/terrain/raster_trust.h"
 #include "foreign/file_numbers.h"
+#include "foreign/open_run.h"
+#include "run/inputs/find_input.h"
 
 namespace fumon {
 
@@ -75,15 +82,25 @@ std::string difference_of(const std::vector<InputFile>& then, const std::vector<
     return {};
 }
 
-/// What keeps files from being opened that are in part in a folder.
-std::string fault_in(const fs::path& folder, const RecordedResults& results,
-                     std::string_view what) {
+/// The first file that is missing in a folder, in a sentence; empty where none is.
+std::string missing_in(const fs::path& folder, const RecordedResults& results,
+                       std::string_view what) {
     for (const InputFile& file : results.files)
         if (!lies_at(file.path) && !lies_at(folder / name_of(file)))
-            return fmt::format(
-                "{}: is one of the files that the {} was made of, and is missing; copy it there",
-                (folder / name_of(file)).string(), what);
-    return not_as_it_was((folder / results.name).string(), what);
+            return fmt::format("{}: is one of the files that the {} was made of, and is missing",
+                               (folder / name_of(file)).string(), what);
+    return {};
+}
+
+/// A file with its hash as it would be recorded; without one where it cannot be read.
+InputFile as_it_is(const fs::path& file) {
+    std::error_code fault;
+    if (!fs::is_regular_file(file, fault)) return {file.string(), ""};
+    try {
+        return {file.string(), results_hash(file)};
+    } catch (const std::exception&) {
+        return {file.string(), ""};
+    }
 }
 
 std::vector<fs::path> folders_of(const RecordedResults& results, const fs::path& picture) {
@@ -95,11 +112,93 @@ std::vector<fs::path> folders_of(const RecordedResults& results, const fs::path&
     return folders;
 }
 
-StoredBeds opened_in(const fs::path& folder, const std::string& argument,
-                     const RecordedResults& results, int threads) {
+ForeignQuery query_in(const fs::path& folder, const RecordedResults& results) {
     ForeignQuery query = results.query;
     for (std::string& field : query.fields) field = field_in(folder, field);
-    return StoredBeds::of_files(argument, threads, {}, query);
+    return query;
+}
+
+/// Refuses files that may name others, unless their user trusts the picture.
+void check_formats(const std::vector<InputFile>& files, const ResultsAsked& asked) {
+    if (asked.trust) return;
+    for (const InputFile& file : files) {
+        const std::string why = why_trust_is_needed(file.path);
+        if (!why.empty())
+            throw InputError(
+                fmt::format("{}: is read only with --trust, since {}: fumon again --trust {}",
+                            file.path, why, asked.picture.string()));
+    }
+}
+
+/// The files that a user gives; those that the picture names for its fields lie beside them, or are
+/// as the picture lists them.
+StoredBeds given_results(const RecordedResults& results, const ResultsAsked& asked) {
+    const fs::path folder = fs::path(asked.from).parent_path();
+    const ForeignQuery query = query_in(folder, results);
+    const std::size_t given = files_of_foreign_run(asked.from, {}).size();
+    const std::vector<fs::path> files = files_of_foreign_run(asked.from, query);
+    std::vector<InputFile> named;
+    for (std::size_t i = given; i < files.size(); ++i) {
+        named.push_back(as_it_is(files[i]));
+        const bool is_beside =
+            files[i].lexically_normal().parent_path() == folder.lexically_normal();
+        const bool is_listed =
+            std::ranges::count(results.files, named.back().hash, &InputFile::hash) > 0;
+        if (asked.trust || is_beside || is_listed) continue;
+        throw InputError(fmt::format(
+            "{}: takes a field from {}, which is not one of the files that it lists; copy a file "
+            "of this name beside {}, or trust the {}: --trust",
+            asked.picture.string(), files[i].string(), asked.from, asked.what));
+    }
+    check_formats(named, asked);
+    return StoredBeds::of_files(asked.from, asked.threads, {}, query);
+}
+
+/// What is found in a folder: the run, or why it is not opened.
+struct FoundResults {
+    std::optional<StoredBeds> beds;
+    std::string fault;
+};
+
+FoundResults results_in(const fs::path& folder, const RecordedResults& results,
+                        const ResultsAsked& asked) {
+    const std::string argument = (folder / results.name).string();
+    std::vector<InputFile> now;
+    ForeignQuery query;
+    try {
+        query = query_in(folder, results);
+        for (const fs::path& file : files_of_foreign_run(argument, query))
+            now.push_back(as_it_is(file));
+    } catch (const InputError&) {
+        const std::string missing = missing_in(folder, results, asked.what);
+        if (missing.empty()) return {{}, not_as_it_was(argument, asked.what)};
+        return {{}, missing + "; copy it there"};
+    }
+    const std::string differs = difference_of(results.files, now, asked.what);
+    const std::string missing = differs.empty() ? "" : missing_in(folder, results, asked.what);
+    if (!missing.empty()) return {{}, missing + "; copy it there"};
+    if (!differs.empty())
+        return {{},
+                fmt::format("{}; --from {} takes {}", differs, argument,
+                            now.size() == 1 ? "it" : "those that are there")};
+    check_formats(now, asked);
+    try {
+        return {StoredBeds::of_foreign_files(argument, query), ""};
+    } catch (const InputError&) {
+        if (asked.trust) throw;
+        // What a file holds is not told to a picture of unknown origin.
+        throw InputError(
+            fmt::format("{}: is the file that the {} was made of, but cannot be read as the {} "
+                        "says; --trust gives details",
+                        argument, asked.what, asked.what));
+    }
+}
+
+void keep_limits(StoredBeds& beds, const RecordedResults& results, const ResultsAsked& asked) {
+    if (asked.trust) return;
+    std::vector<InputFile> listed = results.files;
+    listed.insert(listed.end(), asked.others.begin(), asked.others.end());
+    beds.distrust(hashes_of(listed));
 }
 
 }  // namespace
@@ -107,11 +206,11 @@ StoredBeds opened_in(const fs::path& folder, const std::string& argument,
 StoredBeds results_again(const RecordedResults& results, const ResultsAsked& asked,
                          StatusLine& status) {
     if (!asked.from.empty()) {
-        StoredBeds beds =
-            opened_in(fs::path(asked.from).parent_path(), asked.from, results, asked.threads);
+        StoredBeds beds = given_results(results, asked);
         const std::string differs = difference_of(results.files, beds.inputs(), asked.what);
         // Of those that a picture does not list nothing is known.
         if (!differs.empty() && !results.files.empty()) status.note(differs);
+        keep_limits(beds, results, asked);
         return beds;
     }
     if (results.files.empty())
@@ -124,19 +223,12 @@ StoredBeds results_again(const RecordedResults& results, const ResultsAsked& ask
             return lies_at(folder / fs::path(file.path).filename());
         });
         if (!is_here) continue;
-        const std::string argument = (folder / results.name).string();
-        std::string differs;
-        try {
-            StoredBeds beds = opened_in(folder, argument, results, asked.threads);
-            differs = difference_of(results.files, beds.inputs(), asked.what);
-            if (differs.empty()) return beds;
-            differs += fmt::format("; --from {} takes {}", argument,
-                                   beds.inputs().size() == 1 ? "it" : "those that are there");
-        } catch (const InputError&) {
-            // What a changed file holds is not told to a picture of unknown origin.
-            differs = fault_in(folder, results, asked.what);
+        FoundResults found = results_in(folder, results, asked);
+        if (found.beds) {
+            keep_limits(*found.beds, results, asked);
+            return std::move(*found.beds);
         }
-        if (fault.empty()) fault = differs;
+        if (fault.empty()) fault = found.fault;
     }
     if (!fault.empty()) throw InputError(fault);
     throw InputError(

@@ -49,6 +49,12 @@ bool is_file_request(const std::string& source) {
            source.find('/') != std::string::npos || fs::path(source).has_extension();
 }
 
+std::vector<fs::path> files_of_source(const std::string& source) {
+    if (!is_file_request(source)) return {};
+    if (is_pattern(source)) return files_of_pattern(source);
+    return {file_and_variable(source).first};
+}
+
 void add_field_of_file(ForeignRun& run, Quantity quantity, const std::string& source,
                        const ForeignQuery& query) {
     const double cell_size = run.scale.in_metres ? run.scale.dx : query.cell_size;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "foreign/foreign_run.h"
 #include "foreign/quantity.h"
@@ -18,6 +20,10 @@ FieldRequest field_request(const std::string& text);
 
 /// Whether a source is a file or a pattern of files, not a variable.
 bool is_file_request(const std::string& source);
+
+/// The files of such a source, none of which is opened; none where it is a variable. Throws
+/// InputError for a pattern that no file has.
+std::vector<std::filesystem::path> files_of_source(const std::string& source);
 
 /// Adds a field from files of its own to a run: of one file, which does not change, or of a series
 /// that has a file for each record of the run, paired by the numbers in their names where the run

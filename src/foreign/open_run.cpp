@@ -7,12 +7,14 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "files/hash.h"
 #include "files/input_file.h"
 #include "files/netcdf/netcdf_input.h"
+#include "foreign/field_files.h"
 #include "foreign/file_numbers.h"
 #include "foreign/netcdf_run.h"
 #include "foreign/raster_series.h"
@@ -62,6 +64,13 @@ bool is_address(const std::string& argument) {
     return argument.find("://") != std::string::npos;
 }
 
+/// What an argument stands for: itself, or the files of its pattern.
+std::vector<fs::path> files_of_argument(const std::string& argument) {
+    std::error_code fault;
+    if (fs::exists(argument, fault) || !is_pattern(argument)) return {argument};
+    return files_of_pattern(argument);
+}
+
 bool is_netcdf_file(const fs::path& file) {
     std::error_code fault;
     const std::string ending = file.extension().string();
@@ -78,6 +87,14 @@ bool is_foreign_run(const std::string& argument) {
     if (fs::is_directory(argument, fault)) return false;
     if (fs::exists(argument, fault)) return is_netcdf_file(argument) || other_format(argument);
     return is_pattern(argument);
+}
+
+std::vector<fs::path> files_of_foreign_run(const std::string& argument, const ForeignQuery& query) {
+    std::vector<fs::path> files = files_of_argument(argument);
+    for (const std::string& field : query.fields)
+        for (fs::path& file : files_of_source(field_request(field).source))
+            files.push_back(std::move(file));
+    return files;
 }
 
 ForeignRun open_foreign_run(const std::string& argument, const ForeignQuery& query) {

@@ -91,6 +91,14 @@ TEST_F(FilmLayers, AreRecordedInSequencesOfLight) {
         if (keyword == "fumon:layers") layers = text;
     EXPECT_TRUE(contains(layers, "\"path\":\"line.geojson\"")) << layers;
     EXPECT_TRUE(contains(layers, "\"from\":\"one/line.geojson\"")) << layers;
+    const Ended same = run({"again", "light_1.exr"});
+    EXPECT_EQ(same.errors, "light_1-again.exr: the same bytes as light_1.exr\n");
+    EXPECT_EQ(read_text(folder_ / "light_1-again.exr"), read_text(folder_ / "light_1.exr"));
+    fs::remove(folder_ / "one" / "line.geojson");
+    const Ended missing = run({"again", "light_1.exr", "--force"});
+    EXPECT_EQ(missing.status, 2);
+    EXPECT_TRUE(missing.errors.starts_with("light_1.exr: line.geojson as it was when the film"))
+        << missing.errors;
 }
 
 }  // namespace

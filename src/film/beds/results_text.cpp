@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <ios>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "files/hash.h"
 #include "files/json_text.h"
 #include "foreign/quantity.h"
 #include "scene/input_maps.h"
@@ -59,6 +64,19 @@ nlohmann::ordered_json json_of_query(const ForeignQuery& query) {
 ForeignQuery query_of_json(const nlohmann::ordered_json& json) {
     return {json.at("fields"), json.at("time_pattern"), json.at("time_unit"), json.at("cell_size"),
             json.value("scalars", std::vector<std::string>())};
+}
+
+std::string results_hash(const fs::path& file) {
+    constexpr std::uintmax_t largest = std::uintmax_t{1} << 28U;  // bytes
+    constexpr std::size_t end = std::size_t{1} << 20U;            // bytes
+    const std::uintmax_t size = fs::file_size(file);
+    if (size <= largest) return hex(file_hash(file));
+    std::ifstream stream(file, std::ios::binary);
+    std::string bytes(2 * end, '\0');
+    stream.read(bytes.data(), end);
+    stream.seekg(-static_cast<std::streamoff>(end), std::ios::end);
+    stream.read(bytes.data() + end, end);
+    return "ends-" + hex(text_hash(bytes + fmt::format("{}", size)));
 }
 
 std::string results_text(const StoredBeds& beds) {

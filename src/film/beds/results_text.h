@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -14,6 +15,11 @@ namespace fumon {
 /// files with their SHA-256, what each variable was taken for, and how the run was asked for. Empty
 /// for fumon's own runs.
 std::string results_text(const StoredBeds& beds);
+
+/// The hash by which a file of results is recorded: the SHA-256 of its bytes, or of one above 256
+/// MiB that of its size and its first and last MiB ("ends-…"), since reading all of it takes longer
+/// than a film. Throws as file_hash().
+std::string results_hash(const std::filesystem::path& file);
 
 /// As much of it as opens the run again.
 struct RecordedResults {

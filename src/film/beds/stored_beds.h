@@ -61,6 +61,10 @@ class StoredBeds {
                                const std::vector<std::string>& settings = {},
                                const ForeignQuery& query = {});
 
+    /// The same of another model's files alone: one of fumon's own is read as they are, without the
+    /// scene that it holds.
+    static StoredBeds of_foreign_files(const std::string& argument, const ForeignQuery& query);
+
     /// The same of a run whose records somebody else reads.
     static StoredBeds of_records(ForeignRun run, const std::vector<std::string>& settings = {});
 
@@ -73,6 +77,10 @@ class StoredBeds {
     /// `written`: the beds alone that it wrote, for a run without fields.nc.
     static StoredBeds recorded(std::string name, std::filesystem::path folder, PreparedRun run,
                                Snapshot first, std::vector<StoredBed> written);
+
+    /// Has the files that looks of a film of unknown origin name read as those of its scene
+    /// (Scene::trusted): only such as have one of these hashes.
+    void distrust(std::shared_ptr<const std::vector<std::string>> hashes);
 
     /// What messages call the run: its folder, or "FOLDER, run 3".
     [[nodiscard]] const std::string& name() const { return name_; }

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <fstream>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "base/error.h"
-#include "base/sha256.h"
 #include "base/snapshots/ground_range.h"
 #include "files/hash.h"
 #include "files/input_file.h"
 #include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_record.h"
+#include "film/beds/results_text.h"
 #include "film/beds/stored_beds.h"
 #include "film/beds/stored_still.h"
 #include "foreign/open_run.h"
@@ -38,20 +37,6 @@ kind = "time"
 kind = "scale-bar"
 corner = "lower-left"
 )";
-
-/// Of a large file its size and its two ends, since reading all of it takes longer than a film.
-std::string hash_of(const fs::path& file) {
-    constexpr std::uintmax_t largest = std::uintmax_t{1} << 28U;  // bytes
-    constexpr std::size_t end = std::size_t{1} << 20U;            // bytes
-    const std::uintmax_t size = fs::file_size(file);
-    if (size <= largest) return hex(file_hash(file));
-    std::ifstream stream(file, std::ios::binary);
-    std::string bytes(2 * end, '\0');
-    stream.read(bytes.data(), end);
-    stream.seekg(-static_cast<std::streamoff>(end), std::ios::end);
-    stream.read(bytes.data() + end, end);
-    return "ends-" + hex(text_hash(bytes + fmt::format("{}", size)));
-}
 
 /// Whether a file is fumon's own with the scene of its run.
 bool is_run_of_fumon(const fs::path& file) {
@@ -121,6 +106,15 @@ StoredBeds StoredBeds::of_files(const std::string& argument, int threads,
     return of_foreign(open_foreign_run(argument, asked), asked, settings);
 }
 
+StoredBeds StoredBeds::of_foreign_files(const std::string& argument, const ForeignQuery& query) {
+    return of_foreign(open_foreign_run(argument, query), query, {});
+}
+
+void StoredBeds::distrust(std::shared_ptr<const std::vector<std::string>> hashes) {
+    run_.scene.trusted = false;
+    run_.scene.bed_hashes = std::move(hashes);
+}
+
 StoredBeds StoredBeds::of_records(ForeignRun run, const std::vector<std::string>& settings) {
     return of_foreign(std::move(run), {}, settings);
 }
@@ -148,7 +142,7 @@ StoredBeds StoredBeds::of_own_fields(const fs::path& file, int threads,
     at_start.grid.cell_size.clear();
     at_start.locations["bed.file"] = "--set 1";  // as seen from the working folder
     InitialBed initial = make_initial_bed(at_start);
-    initial.inputs = {{file.string(), hash_of(file)}};
+    initial.inputs = {{file.string(), results_hash(file)}};
     initial.note.clear();
     stored.run_ = prepare_run(prepare_scene(std::move(scene), std::move(initial)), threads);
     stored.first_ = stored.run_.model->snapshot();
@@ -174,10 +168,10 @@ StoredBeds StoredBeds::of_foreign(ForeignRun run, const ForeignQuery& query,
     initial.scale = stored.first_.scale;
     if (!foreign.files.empty())
         initial.inputs.push_back(
-            {foreign.files.front().string(), hash_of(foreign.files.front())});  // its bed.file
+            {foreign.files.front().string(), results_hash(foreign.files.front())});  // its bed.file
     PreparedScene ready = prepare_scene(scene_of_foreign(foreign, settings), std::move(initial));
     for (std::size_t i = 1; i < foreign.files.size(); ++i)
-        ready.initial.inputs.push_back({foreign.files[i].string(), hash_of(foreign.files[i])});
+        ready.initial.inputs.push_back({foreign.files[i].string(), results_hash(foreign.files[i])});
     stored.run_.scene = std::move(ready.scene);
     stored.run_.initial = std::move(ready.initial);
     stored.run_.initial.bed = {};  // which nothing steps

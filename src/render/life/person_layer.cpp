@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <string>
 
@@ -75,21 +76,30 @@ PersonLayer::PersonLayer(const View& view, const Block& block, const Snapshot& f
                {"part", "part_normal", "part_colour"}, fixed),
       shadow_program_("life/person_shadow.vert.glsl", "life/plant.frag.glsl",
                       {"part", "part_normal", "part_colour"}, fixed) {
-    std::vector<PersonVertex> mesh;
+    BodyMesh mesh;
     for (std::size_t i = 0; i < positions_.size(); ++i) {
-        const std::vector<PersonVertex> own = person_mesh(person_figure(i));
-        positions_[i].first = static_cast<int>(mesh.size());
-        positions_[i].count = static_cast<int>(own.size());
-        mesh.insert(mesh.end(), own.begin(), own.end());
+        const BodyMesh own = person_mesh(person_figure(i));
+        const auto corners = static_cast<std::uint32_t>(mesh.corners.size());
+        positions_[i].first = mesh.indices.size();
+        positions_[i].casting = static_cast<int>(own.indices.size());
+        positions_[i].count = static_cast<int>(own.indices.size() + own.details.size());
+        mesh.corners.insert(mesh.corners.end(), own.corners.begin(), own.corners.end());
+        mesh.indices.reserve(mesh.indices.size() + own.indices.size() + own.details.size());
+        for (const std::uint32_t index : own.indices) mesh.indices.push_back(corners + index);
+        for (const std::uint32_t index : own.details) mesh.indices.push_back(corners + index);
     }
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(array_.name());
     gl.BindBuffer(GL_ARRAY_BUFFER, corners_.name());
-    constexpr std::size_t size = sizeof(PersonVertex);
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.size() * size), mesh.data(),
-                  GL_STATIC_DRAW);
-    constexpr std::array offsets{offsetof(PersonVertex, position), offsetof(PersonVertex, normal),
-                                 offsetof(PersonVertex, colour)};
+    constexpr std::size_t size = sizeof(BodyCorner);
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.corners.size() * size),
+                  mesh.corners.data(), GL_STATIC_DRAW);
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
+    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,
+                  static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
+                  mesh.indices.data(), GL_STATIC_DRAW);
+    constexpr std::array offsets{offsetof(BodyCorner, position), offsetof(BodyCorner, normal),
+                                 offsetof(BodyCorner, colour)};
     for (std::size_t i = 0; i < offsets.size(); ++i) {
         gl.VertexAttribPointer(static_cast<GLuint>(i), 3, GL_FLOAT, GL_FALSE, size,
                                reinterpret_cast<const void*>(offsets.at(i)));
@@ -123,7 +133,7 @@ void PersonLayer::set_common(const gl::Program& program, const GroundTransform& 
     program.set("warp_strength", static_cast<float>(ground.copies.strength()));
 }
 
-void PersonLayer::draw_one(const gl::Program& program, const PersonPosition& position,
+void PersonLayer::draw_one(const gl::Program& program, const PersonPosition& position, int count,
                            const GroundTransform& ground, const Camera& camera) const {
     const WarpedGround copy = ground.copies.at(position.at);
     const glm::dvec2 share =
@@ -139,7 +149,9 @@ void PersonLayer::draw_one(const gl::Program& program, const PersonPosition& pos
     program.set("root", glm::vec4(glm::dvec4(root, 1.0 / block_.side)));
     program.set("root_position", glm::vec2(share - glm::floor(share)));
     program.set("turn", position.turn);
-    gl::functions().DrawArrays(GL_TRIANGLES, position.first, position.count);
+    gl::functions().DrawElements(
+        GL_TRIANGLES, count, GL_UNSIGNED_INT,
+        reinterpret_cast<const void*>(position.first * sizeof(std::uint32_t)));
 }
 
 /// The union of all shadows from each of a few points of the sun's disc, one after the other.
@@ -176,7 +188,7 @@ void PersonLayer::draw_shadows(const GroundTransform& ground, const BedShading& 
         shadow_program_.set("from_point", glm::vec3(from));
         gl.StencilFunc(GL_GREATER, first_shadow_bit * (point + 1), shadow_bits);
         for (const PersonPosition& position : positions_)
-            draw_one(shadow_program_, position, ground, camera);
+            draw_one(shadow_program_, position, position.casting, ground, camera);
     }
     gl.StencilMask(0xFF);
     gl.Disable(GL_STENCIL_TEST);
@@ -194,7 +206,8 @@ void PersonLayer::draw(const GroundTransform& ground, const BedShading& shading,
     shading.bind(program_);
     set_light(program_, view_, light, camera, block_);
     if (through_) through_->bind(program_, first_, factor_);
-    for (const PersonPosition& position : positions_) draw_one(program_, position, ground, camera);
+    for (const PersonPosition& position : positions_)
+        draw_one(program_, position, position.count, ground, camera);
     gl.BindVertexArray(0);
 }
 
@@ -203,7 +216,8 @@ void PersonLayer::rasterise_positions(const gl::Program& program, const GroundTr
     gl::functions().Enable(GL_DEPTH_TEST);
     gl::functions().BindVertexArray(array_.name());
     set_common(program, ground, tile);
-    for (const PersonPosition& position : positions_) draw_one(program, position, ground, camera);
+    for (const PersonPosition& position : positions_)
+        draw_one(program, position, position.count, ground, camera);
     gl::functions().BindVertexArray(0);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -23,10 +24,11 @@ void check_persons(const View& view, const Snapshot& first);
 
 /// Where a person stands.
 struct PersonPosition {
-    glm::dvec2 at;   ///< block lengths from the bed's middle
-    glm::vec2 turn;  ///< cosine and sine, anticlockwise from north
-    int first = 0;   ///< corner of its mesh among those of all persons
-    int count = 0;   ///< of corners
+    glm::dvec2 at;          ///< block lengths from the bed's middle
+    glm::vec2 turn;         ///< cosine and sine, anticlockwise from north
+    std::size_t first = 0;  ///< index of its mesh among those of all persons
+    int count = 0;          ///< of indices
+    int casting = 0;        ///< of those before the details, which cast no shadow
 };
 
 /// Persons who stand on the bed as a scale, each with a shadow on the ground. The target's depths
@@ -58,7 +60,7 @@ class PersonLayer {
   private:
     void set_common(const gl::Program& program, const GroundTransform& ground,
                     const TileSamples& tile) const;
-    void draw_one(const gl::Program& program, const PersonPosition& position,
+    void draw_one(const gl::Program& program, const PersonPosition& position, int count,
                   const GroundTransform& ground, const Camera& camera) const;
     void draw_shadows(const GroundTransform& ground, const BedShading& shading, const Light& light,
                       const Camera& camera, const TileSamples& tile) const;
@@ -71,6 +73,7 @@ class PersonLayer {
     std::optional<gl::Program> depth_program_;
     gl::VertexArray array_;
     gl::Buffer corners_;
+    gl::Buffer indices_;
     std::optional<gl::Texture2D> heights_;
     Field<float> z_;
     glm::dvec2 extent_{1.0};  ///< of the ground's tile
