@@ -88,7 +88,9 @@ exports.open = (program, more) => {
     },
     /** Ends it; the program then ends with a status. */
     close(status) {
-      child.on("exit", () => { fs.rmSync(profile, { recursive: true, force: true }); process.exit(status); });
+      // Its helpers may still write into the profile.
+      const away = { recursive: true, force: true, maxRetries: 30, retryDelay: 100 };
+      child.on("exit", () => { fs.rmSync(profile, away); process.exit(status); });
       child.kill();
     },
   };
