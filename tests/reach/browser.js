@@ -88,9 +88,12 @@ exports.open = (program, more) => {
     },
     /** Ends it; the program then ends with a status. */
     close(status) {
-      // Its helpers may still write into the profile.
-      const away = { recursive: true, force: true, maxRetries: 30, retryDelay: 100 };
-      child.on("exit", () => { fs.rmSync(profile, away); process.exit(status); });
+      child.on("exit", async () => {
+        for (let left = 100; left > 0; --left) {  // its helpers may still write into the profile
+          try { fs.rmSync(profile, { recursive: true, force: true }); break; } catch { await pause(100); }
+        }
+        process.exit(status);
+      });
       child.kill();
     },
   };
