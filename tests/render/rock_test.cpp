@@ -212,33 +212,30 @@ double blueness_of_shade(const Image& image) {
     return blue / red;
 }
 
-TEST(CoveredLand, IsNotBlueInShade) {
+/// Of ridges with land cover, the sun along their slopes.
+View view_of_cover(double sun_elevation) {
     View view = small_view(96, 54);
     view.image.supersampling = 1;
     view.look.ground = Ground::endless;
     view.look.cover = LandCover::automatic;
     view.look.exaggeration = {"", 1.0};
     view.sun.azimuth = 270.0;
-    view.sun.elevation = 20.0;
+    view.sun.elevation = sun_elevation;
     view.camera.azimuth = 160.0;
-    EXPECT_LT(blueness_of_shade(picture(view, covered_ridges())), 1.1);
+    return view;
+}
+
+TEST(CoveredLand, IsNotBlueInShade) {
+    EXPECT_LT(blueness_of_shade(picture(view_of_cover(20.0), covered_ridges())), 1.1);
 }
 
 // Its rills that turn away from a sun along the slope see those across, not the sky alone.
 TEST(CoveredLand, UnderAFilmOfRainHasNoBlueRills) {
-    View view = small_view(96, 54);
-    view.image.supersampling = 1;
-    view.look.ground = Ground::endless;
-    view.look.cover = LandCover::automatic;
-    view.look.exaggeration = {"", 1.0};
-    view.sun.azimuth = 270.0;
-    view.sun.elevation = 30.0;
-    view.camera.azimuth = 160.0;
     Snapshot land = covered_ridges(7.0);
     add_field(land, "water_depth", Grid(24, 24, 1e-4));
     add_field(land, "velocity_x", Grid(24, 24));
     add_field(land, "velocity_y", Grid(24, 24));
-    EXPECT_LT(blueness_of_shade(picture(view, land)), 0.97);
+    EXPECT_LT(blueness_of_shade(picture(view_of_cover(30.0), land)), 0.97);
 }
 
 }  // namespace

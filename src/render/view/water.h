@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "base/grid.h"
@@ -12,6 +13,9 @@ namespace fumon {
 
 /// Depth from which a cell is wet, metres.
 inline constexpr double least_wet_depth = 1e-5;
+
+/// A field of water by its name. Throws InputError where the snapshot has none of it.
+const Grid& water_field(const Snapshot& snapshot, std::string_view name);
 
 /// Whether a snapshot has water: the fields "water_depth" (m), "velocity_x" and "velocity_y" (m/s).
 bool has_water(const Snapshot& snapshot);
